@@ -1,0 +1,113 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_TREE_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_TREE_H
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// The order in which the patches were merged.
+///
+/// Leaves are the patches, numbered from 0. The merges that made the segments come first; those
+/// after `number_of_accepted_merges()` go on, by growing cost, until one segment is left, so that
+/// a finer or coarser segmentation can be had without running again.
+class Merge_tree
+{
+public:
+  /// One merge of two regions, each named by one of the patches in it.
+  struct Merge
+  {
+    int first;   ///< a patch of the first region
+    int second;  ///< a patch of the second region
+    double cost; ///< cost of the criterion that merged them
+  };
+
+  Merge_tree() = default;
+  explicit Merge_tree(const std::size_t number_of_patches) : m_number_of_patches(number_of_patches) {}
+
+  std::size_t number_of_patches() const { return m_number_of_patches; } ///< number of leaves
+  const std::vector<Merge>& merges() const { return m_merges; }         ///< all merges, in order
+  /// number of merges after which the patches had become components
+  std::size_t number_of_fusions() const { return m_fusions; }
+  /// number of merges after which the components had become segments
+  std::size_t number_of_accepted_merges() const { return m_accepted; }
+
+  /// returns the region of each patch after the first `number_of_merges` merges, numbered from 0 in
+  /// the order of the patches.
+  /// Complexity: linear in the number of patches, up to the inverse Ackermann function.
+  std::vector<int> labels_after(const std::size_t number_of_merges) const;
+
+  /// returns the region of each patch when `number_of_segments` are left (at least 1; at most as
+  /// many as there are patches).
+  /// \throws std::invalid_argument if there are no such regions.
+  std::vector<int> labels_for(const std::size_t number_of_segments) const
+  {
+    if (number_of_segments == 0 || number_of_segments > m_number_of_patches)
+      throw std::invalid_argument("the merge tree has 1 to " + std::to_string(m_number_of_patches) +
+                                  " segments, " + std::to_string(number_of_segments) +
+                                  " were asked for");
+    return labels_after(m_number_of_patches - number_of_segments);
+  }
+
+  /// returns the region of each patch if merging had stopped at the first merge of components, in
+  /// order, that costs more than `threshold`.
+  std::vector<int> labels_at_cost(const double threshold) const
+  {
+    std::size_t i = m_fusions;
+    while (i < m_merges.size() && m_merges[i].cost <= threshold) ++i;
+    return labels_after(i);
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  void add(const int first, const int second, const double cost)
+  {
+    m_merges.push_back({first, second, cost});
+  }
+  void set_fused() { m_fusions = m_merges.size(); }
+  void set_accepted() { m_accepted = m_merges.size(); }
+  /// \endcond
+
+private:
+  std::size_t m_number_of_patches = 0;
+  std::size_t m_fusions = 0;
+  std::size_t m_accepted = 0;
+  std::vector<Merge> m_merges;
+};
+
+inline std::vector<int> Merge_tree::labels_after(const std::size_t number_of_merges) const
+{
+  std::vector<int> parent(m_number_of_patches);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int i)
+  {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  const std::size_t last = (std::min)(number_of_merges, m_merges.size());
+  for (std::size_t i = 0; i < last; ++i)
+    parent[root(m_merges[i].second)] = root(m_merges[i].first);
+
+  std::vector<int> label_of_root(m_number_of_patches, -1), labels(m_number_of_patches);
+  int next = 0;
+  for (std::size_t i = 0; i < m_number_of_patches; ++i)
+  {
+    int& label = label_of_root[root(static_cast<int>(i))];
+    if (label < 0) label = next++;
+    labels[i] = label;
+  }
+  return labels;
+}
+
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_TREE_H

@@ -1,0 +1,286 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_PARAMETERS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_PARAMETERS_H
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// The three granularities at which a shape can be asked for.
+enum class Level
+{
+  PATCHES,    ///< small, nearly convex pieces of the surface (section 4 of the paper)
+  COMPONENTS, ///< weakly convex components: fused patches that see each other (section 4)
+  SEGMENTS    ///< the parts of the shape: components merged by their volume (section 5)
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// Which criteria drive the contraction of the patches into segments.
+enum class Merging_rule
+{
+  PAPER, ///< fusion thresholds, signature distance, seam sets and flat components (sections 4, 5)
+  COST   ///< one weighted cost of visibility, seam concavity and volume, in two stages
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// How the visibility of two components is judged from that of their patches.
+enum class Fusion_rule
+{
+  EVERY_PAIR, ///< the threshold holds for every pair of patches (the text of section 4)
+  AVERAGE     ///< the threshold holds for the average over the pairs of patches
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// How the diameter of the shape at a point is measured for the volumetric signatures.
+enum class Diameter_rule
+{
+  OWN_POINTS,  ///< lengths to the component's own points in a cone (section 5)
+  WHOLE_SHAPE, ///< cast rays in a cone until they leave the shape, whichever component is hit
+  CGAL_SDF     ///< CGAL's shape diameter function on the sampled faces; triangle meshes only
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// How the borders between the segments are refined.
+enum class Refinement_rule
+{
+  NONE,            ///< borders stay where the patches end
+  ALPHA_EXPANSION, ///< alpha expansion over all labels in the band (section 5, equations 3-5)
+  SEAM_CUTS        ///< one binary minimum cut for each pair of adjacent segments
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// Weights of one stage of the `Merging_rule::COST` contraction.
+///
+/// Two adjacent regions are merged while
+/// `(visibility_weight * (1 - v) + concavity_weight * c + diameter_weight * d) * f <= threshold`
+/// with `v` their mutual visibility and `c` the concave share of their seam (both in `[0, 1]`),
+/// `d` the earth mover's distance of their diameter histograms (natural logarithms of the
+/// diameter, at least 0), and `f` the leniency for small regions, see
+/// `Parameters::small_region_exponent`.
+struct Merging_cost
+{
+  double visibility_weight; ///< at least 0
+  double concavity_weight;  ///< at least 0
+  double diameter_weight;   ///< at least 0
+  double threshold;         ///< the highest cost that is merged; at least 0
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// All knobs of the algorithm.
+///
+/// A default constructed object is the default preset, the best that we know; `paper()` has every
+/// value and rule as \cgalCite{cgal:kfkac-ssaca-14} has them. Angles are in degrees; lengths are
+/// relative to the extent of the shape: the diameter of the smallest sphere about the centroid of
+/// the points that holds them all. One set of values serves all shapes.
+struct Parameters
+{
+  /// \name Sampling
+  /// @{
+
+  /// number of nearest neighbors of a point in the neighbor graph (`k`, section 4); `[3, 100]`
+  std::size_t number_of_neighbors = 10;
+  /// Shapes of more points are thinned to about so many representatives, on which everything that
+  /// is not linear in time runs; at least 100.
+  std::size_t number_of_representatives = 20000;
+  /// whether the faces of a mesh count as neighbors where they share an edge
+  bool use_mesh_adjacency = true;
+  /// seed of all random choices
+  unsigned int seed = 0;
+
+  /// @}
+  /// \name Patches (section 4)
+  /// @{
+
+  /// wanted number of patches; `[1, 1000]`
+  std::size_t number_of_patches = 80;
+  /// number of supervoxels that the spectral clustering works on: it bounds the eigenproblem;
+  /// `[1, 20000]`
+  std::size_t number_of_supervoxels = 1500;
+  /// neighbors are joined in the convexity graph unless their normals are concave by more degrees;
+  /// `[0, 180]`
+  double patch_concavity_tolerance = 5.;
+  /// weight of the edges that are too concave, relative to 1 for the others; `[0, 1]`
+  double concave_edge_weight = 0.001;
+  /// connected pieces of patches with fewer representatives are given to a neighbor
+  std::size_t minimum_patch_size = 5;
+
+  /// @}
+  /// \name Visibility (sections 3 and 4)
+  /// @{
+
+  /// points sampled on a patch for its lines of sight (`s_vis`); `[1, 100]`
+  std::size_t samples_per_patch = 10;
+  /// radius of the disk of a point, in mean distances to its neighbors; `(0, 10]`
+  double disk_radius_factor = 1.;
+  /// disks whose center is nearer to an end of a line of sight than so many of their radii do not
+  /// occlude it; `[0, 100]`
+  double clearance_factor = 2.;
+  /// A line of sight may leave the surface to the outside by so many degrees; `[0, 90]`. With 90
+  /// there is no such test and lines that pass outside of the shape count when unoccluded.
+  double outside_tolerance = 90.;
+  /// A pair of patches is decided when so many first rays agree; 0 casts all rays.
+  std::size_t rays_for_early_decision = 10;
+
+  /// @}
+  /// \name Rules
+  /// @{
+
+  Merging_rule merging = Merging_rule::COST;                   ///< criteria of the contraction
+  Diameter_rule diameter = Diameter_rule::WHOLE_SHAPE;         ///< measure of the diameters
+  Refinement_rule refinement = Refinement_rule::SEAM_CUTS;     ///< method of border refinement
+
+  /// @}
+  /// \name Component fusion and merging with `Merging_rule::PAPER` (sections 4 and 5)
+  /// @{
+
+  /// the thresholds theta of the rounds of fusion, each in `[0, 1]`
+  std::vector<double> fusion_thresholds = {0.9, 0.8, 0.7};
+  Fusion_rule fusion = Fusion_rule::EVERY_PAIR; ///< what must exceed the threshold
+  /// largest distance of signatures that is merged, relative to the largest one (`sigma`); `[0, 1]`
+  double signature_threshold = 0.12;
+  /// adjacencies with at least this ratio of concave to convex seam edges are not merged; at least 0
+  double concave_seam_ratio = 0.85;
+  /// components of which at most this share of the samples has a diameter are flat; `[0, 1]`
+  double flat_share = 0.1;
+  /// visibility that a flat component needs to join a neighbor over a partly concave seam; `[0, 1]`
+  double flat_visibility = 0.4;
+
+  /// @}
+  /// \name Signatures (section 5)
+  /// @{
+
+  /// bins of a diameter histogram; `[2, 64]`
+  std::size_t histogram_bins = 64;
+  /// full opening angle of the cone in which diameters are measured (`alpha`); `(0, 180)`
+  double diameter_cone_angle = 60.;
+  /// `Diameter_rule::WHOLE_SHAPE`: number of points, over the whole shape, with a diameter
+  std::size_t diameter_samples = 2000;
+  /// `Diameter_rule::WHOLE_SHAPE`: rays a point; `[1, 256]`
+  std::size_t diameter_rays = 16;
+  /// a seam edge is concave from this angle on (`epsilon`); `[0, 180)`
+  double seam_concavity_tolerance = 9.;
+
+  /// @}
+  /// \name Contraction with `Merging_rule::COST`
+  /// @{
+
+  Merging_cost fusion_cost = {1., 0.581, 0.223, 0.646};   ///< patches into components
+  Merging_cost merging_cost = {0.111, 2.31, 1., 0.589};   ///< components into segments
+  /// Distance of signatures where one of the regions has no diameter; at least 0.
+  double missing_diameter_distance = 0.407;
+  /// Regions under this share of the points merge more easily: the cost of a pair is multiplied by
+  /// `(share / small_region_share)^small_region_exponent` of the smaller one; `[0, 1]`.
+  double small_region_share = 0.03;
+  double small_region_exponent = 0.082; ///< see `small_region_share`; at least 0
+  /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
+  double minimum_segment_share = 0.0115;
+  /// the contraction goes on until there are at most so many segments; 0: no limit
+  std::size_t maximum_number_of_segments = 0;
+
+  /// @}
+  /// \name Border refinement (section 5)
+  /// @{
+
+  /// half width of the band in which a border may move; `[0, 1]`
+  double band_width = 0.015;
+  /// exponent of the distance in the data cost (equation 4); at least 0
+  double data_exponent = 1.5;
+  /// weight of the data cost against the smoothness cost; at least 0
+  double data_weight = 1.;
+  /// `Refinement_rule::SEAM_CUTS`: concavity in degrees that halves the cost of an edge; above 0
+  double smoothness_angle = 10.;
+
+  /// @}
+
+  /// returns the values and rules of the paper. Where it is silent, see the stage's header.
+  static Parameters paper();
+
+  /// \throws std::invalid_argument naming the first parameter that is out of its range.
+  void check() const;
+};
+
+inline Parameters Parameters::paper()
+{
+  Parameters p;
+  p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
+  p.number_of_patches = 100;    // silent; the trial of the method used 100
+  p.patch_concavity_tolerance = 0.;
+  p.rays_for_early_decision = 0;
+  p.merging = Merging_rule::PAPER;
+  p.diameter = Diameter_rule::OWN_POINTS;
+  p.refinement = Refinement_rule::ALPHA_EXPANSION;
+  p.diameter_cone_angle = 20.;  // alpha = 2 pi / 18, read as the full opening
+  p.minimum_segment_share = 0.;
+  p.data_weight = 0.1;
+  return p;
+}
+
+namespace internal {
+
+inline void check_range(const char* name, const double value, const double low, const double high)
+{
+  if (!(value >= low && value <= high)) // also refuses NaN
+    throw std::invalid_argument("Parameters::" + std::string(name) + " is " +
+                                std::to_string(value) + ", give a value from " +
+                                std::to_string(low) + " to " + std::to_string(high));
+}
+
+inline void check_cost(const std::string& name, const Merging_cost& cost)
+{
+  check_range((name + ".visibility_weight").c_str(), cost.visibility_weight, 0., 1e6);
+  check_range((name + ".concavity_weight").c_str(), cost.concavity_weight, 0., 1e6);
+  check_range((name + ".diameter_weight").c_str(), cost.diameter_weight, 0., 1e6);
+  check_range((name + ".threshold").c_str(), cost.threshold, 0., 1e6);
+}
+
+} // namespace internal
+
+inline void Parameters::check() const
+{
+  const auto check = [](const char* name, const auto value, const double low, const double high)
+  { internal::check_range(name, static_cast<double>(value), low, high); };
+  check("number_of_neighbors", number_of_neighbors, 3., 100.);
+  check("number_of_representatives", number_of_representatives, 100., 1e9);
+  check("number_of_patches", number_of_patches, 1., 1000.);
+  check("number_of_supervoxels", number_of_supervoxels, 1., 20000.);
+  check("patch_concavity_tolerance", patch_concavity_tolerance, 0., 180.);
+  check("concave_edge_weight", concave_edge_weight, 0., 1.);
+  check("minimum_patch_size", minimum_patch_size, 0., 1e9);
+  check("samples_per_patch", samples_per_patch, 1., 100.);
+  check("disk_radius_factor", disk_radius_factor, 1e-6, 10.);
+  check("clearance_factor", clearance_factor, 0., 100.);
+  check("outside_tolerance", outside_tolerance, 0., 90.);
+  for (const double theta : fusion_thresholds) check("fusion_thresholds", theta, 0., 1.);
+  check("signature_threshold", signature_threshold, 0., 1.);
+  check("concave_seam_ratio", concave_seam_ratio, 0., 1e9);
+  check("flat_share", flat_share, 0., 1.);
+  check("flat_visibility", flat_visibility, 0., 1.);
+  check("histogram_bins", histogram_bins, 2., 64.);
+  check("diameter_cone_angle", diameter_cone_angle, 1e-3, 179.);
+  check("diameter_samples", diameter_samples, 1., 1e6);
+  check("diameter_rays", diameter_rays, 1., 256.);
+  check("seam_concavity_tolerance", seam_concavity_tolerance, 0., 179.);
+  internal::check_cost("fusion_cost", fusion_cost);
+  internal::check_cost("merging_cost", merging_cost);
+  check("missing_diameter_distance", missing_diameter_distance, 0., 1e6);
+  check("small_region_share", small_region_share, 0., 1.);
+  check("small_region_exponent", small_region_exponent, 0., 100.);
+  check("minimum_segment_share", minimum_segment_share, 0., 1.);
+  check("band_width", band_width, 0., 1.);
+  check("data_exponent", data_exponent, 0., 100.);
+  check("data_weight", data_weight, 0., 1e6);
+  check("smoothness_angle", smoothness_angle, 1e-3, 180.);
+}
+
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_PARAMETERS_H

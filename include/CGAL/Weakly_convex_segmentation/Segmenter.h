@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_SEGMENTER_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_SEGMENTER_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/Result.h>
+#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+#include <CGAL/Weakly_convex_segmentation/internal/read_input.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// A shape with its patches and lines of sight, for more than one segmentation.
+///
+/// The constructor takes most of the time: it measures all that does not depend on thresholds. Then
+/// `segment()` can be called with other thresholds; lines of sight that were cast once are kept.
+/// The object does not refer to the input after construction. Different objects may be used from
+/// different threads at once, one object by one thread at a time.
+///
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`
+template <typename ConcurrencyTag = Sequential_tag>
+class Segmenter
+{
+public:
+  /// reads a range of points or a triangle mesh, see `weakly_convex_segmentation()`.
+  template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
+  explicit Segmenter(const Input& input, const Parameters& parameters = {},
+                     const NamedParameters& np = parameters::default_values())
+      : Segmenter(internal::read_input<ConcurrencyTag>(input, np), parameters,
+                  internal::read_control<ConcurrencyTag>(np), internal::read_seed(np, parameters))
+  {
+  }
+
+  /// reads a polygon soup, see `weakly_convex_segmentation_of_soup()`.
+  template <typename PointRange, typename PolygonRange, typename NamedParameters,
+            typename = typename PolygonRange::const_iterator>
+  Segmenter(const PointRange& points, const PolygonRange& polygons, const Parameters& parameters,
+            const NamedParameters& np)
+      : Segmenter(internal::read_soup(points, polygons, internal::point_map_of(points, np)),
+                  parameters, internal::read_control<ConcurrencyTag>(np),
+                  internal::read_seed(np, parameters))
+  {
+  }
+
+  /// segments with the given rules and thresholds. What the constructor has used (number of neighbors,
+  /// representatives and patches, visibility, diameters, seed) stays as it was given there.
+  /// \throws std::invalid_argument if a parameter is out of its range
+  Result segment(const Parameters& parameters)
+  {
+    parameters.check();
+    Merge_tree tree = internal::merge_patches(*m_shape, parameters, m_control);
+    const std::vector<int> regions = internal::regions_at(tree, Level::SEGMENTS);
+    return internal::finish_segmentation(*m_shape, std::move(tree), regions, parameters, m_control);
+  }
+
+  /// refines the borders of another cut through a merge tree of this shape: the labels of its patches
+  /// come from `Merge_tree::labels_for()` and the like.
+  /// \throws std::invalid_argument if there is not one label a patch
+  Result refine(const Merge_tree& tree, const std::vector<int>& patch_labels,
+                const Parameters& parameters)
+  {
+    if (patch_labels.size() != m_shape->patches.size())
+      throw std::invalid_argument("there are " + std::to_string(patch_labels.size()) +
+                                  " patch labels for " + std::to_string(m_shape->patches.size()) +
+                                  " patches");
+    return internal::finish_segmentation(*m_shape, tree, patch_labels, parameters, m_control);
+  }
+
+  /// number of patches
+  std::size_t number_of_patches() const { return m_shape->patches.size(); }
+
+  /// returns the convexity rank \f$ |LoS(S)| / |S|^2 \f$ (equation 1) of a subset of the input.
+  /// \param subset indices of input elements, in input order
+  /// \param sample_size at most so many elements, spread over the subset, are tested in pairs
+  /// \param tolerance degrees by which a line of sight may leave the shape at its ends
+  /// \returns a value in `[0, 1]`; 1 for at most one element
+  double convexity_rank(const std::vector<std::size_t>& subset, const std::size_t sample_size = 100,
+                        const double tolerance = 5.) const
+  {
+    const std::size_t n = m_shape->input.size();
+    std::vector<std::size_t> rank(n);
+    for (std::size_t i = 0; i < n; ++i) rank[m_shape->input.elements[i]] = i;
+    std::vector<internal::Index> points;
+    for (const std::size_t element : subset)
+    {
+      if (element >= n)
+        throw std::invalid_argument("element " + std::to_string(element) + " is not one of the " +
+                                    std::to_string(n) + " elements of the shape");
+      points.push_back(static_cast<internal::Index>(m_shape->representative(rank[element])));
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return internal::convexity_rank(*m_shape->sight, points, sample_size, tolerance);
+  }
+
+private:
+  Segmenter(const internal::Raw_points& raw, Parameters parameters, internal::Run_control control,
+            const unsigned int seed)
+      : m_control(std::move(control))
+  {
+    parameters.seed = seed;
+    parameters.check();
+    m_control.progress(0.);
+    m_shape = internal::analyze_shape(raw, parameters, m_control);
+  }
+
+  internal::Run_control m_control;
+  std::unique_ptr<internal::Shape_analysis> m_shape;
+};
+
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_SEGMENTER_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_VISITOR_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_VISITOR_H
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// The stages of the method, in order.
+enum class Stage
+{
+  SAMPLING,   ///< representatives of the input points
+  NEIGHBORS,  ///< neighbor graph and disks
+  PATCHES,    ///< over-segmentation into nearly convex patches
+  VISIBILITY, ///< search tree of the disks (lines of sight are cast on demand, while merging)
+  SIGNATURES, ///< shape diameters
+  FUSION,     ///< patches into weakly convex components
+  MERGING,    ///< components into segments
+  REFINEMENT, ///< borders of the segments
+  STATISTICS  ///< convexity rank, adjacency and diameter of each segment
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// returns a lower-case name of the stage.
+inline const char* stage_name(const Stage stage)
+{
+  const char* const names[] = {"sampling", "neighbors", "patches", "visibility", "signatures",
+                               "fusion",   "merging",   "refinement", "statistics"};
+  return names[static_cast<int>(stage)];
+}
+
+/// number of stages
+constexpr std::size_t number_of_stages = 9;
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// Base class of visitors: derive, override what is of interest, and pass the object with the named
+/// parameter `visitor(std::ref(object))`. Events come from the calling thread, in the order of the
+/// stages. An exception thrown by a visitor ends the run and passes through.
+class Visitor
+{
+public:
+  virtual ~Visitor() = default;
+  /// called when a stage begins
+  virtual void stage_begins(Stage) {}
+  /// called when a stage ends; `size` is the number of things that it made: representatives,
+  /// neighbor edges, patches, disks, diameters, components, segments, moved points, segments
+  virtual void stage_ends(Stage, std::size_t /* size */) {}
+  /// called for each merge with a patch of either region and the cost that was paid
+  virtual void merged(int /* first_patch */, int /* second_patch */, double /* cost */) {}
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// Thrown when the callback asks to stop. The label map is left unchanged.
+class Canceled : public std::runtime_error
+{
+public:
+  Canceled() : std::runtime_error("the segmentation was canceled by its callback") {}
+};
+
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_VISITOR_H

@@ -1,0 +1,285 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REGION_GRAPH_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REGION_GRAPH_H
+
+#include <CGAL/Weakly_convex_segmentation/Merge_tree.h>
+#include <CGAL/Weakly_convex_segmentation/Visitor.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Diameter_histogram.h>
+#include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+// The region adjacency graph on which sections 4 (fusion) and 5 (merging) run: regions and seams with
+// statistics that add up under merging, and one greedy contraction by ascending cost.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// A union of patches.
+struct Region
+{
+  std::vector<int> patches; ///< empty once the region was merged into another one
+  double size = 0.;         ///< number of points
+  Vector3 center_sum;       ///< sum of the positions
+  Diameter_histogram diameters;
+};
+
+/// The border between two adjacent regions: counts of the neighbor edges across it (the seam sets of
+/// section 5) and the visibility over all pairs of patches across it.
+struct Seam
+{
+  double edges = 0.;
+  double convex = 0.;   ///< CVXSeam: convex or flat
+  double concave = 0.;  ///< CNCSeam: concave by more than the tolerance
+  double opposite = 0.; ///< not concave, normals far apart: the edge joins two sides of a thin sheet
+  double visibility_sum = 0.;  ///< sum of the visibility of pairs of patches times their sizes
+  double visibility_least = 1.; ///< the least visibility of a pair
+  bool visibility_known = false;
+
+  void add_edges(const Seam& other)
+  {
+    edges += other.edges;
+    convex += other.convex;
+    concave += other.concave;
+    opposite += other.opposite;
+  }
+  void add_visibility(const Seam& other)
+  {
+    visibility_sum += other.visibility_sum;
+    visibility_least = (std::min)(visibility_least, other.visibility_least);
+  }
+  /// share of the edges that are concave, but for those through a thin sheet, in [0, 1]
+  double concave_share() const
+  {
+    const double along_surface = edges - opposite;
+    return along_surface > 0. ? concave / along_surface : 0.;
+  }
+};
+
+/// Regions, seams and the patches' visibility. Regions are named by one of their patches.
+class Region_graph
+{
+public:
+  /// makes each patch a region.
+  Region_graph(const Oriented_points& points, const Neighbor_graph& graph, const Patches& patches,
+               Patch_visibility& visibility, const Parameters& parameters);
+
+  std::size_t number_of_regions() const { return m_count; }
+  double total_size() const { return m_total; }
+  const std::vector<Region>& regions() const { return m_regions; }
+  Region& region(const int r) { return m_regions[r]; }
+  const Region& region(const int r) const { return m_regions[r]; }
+  bool is_region(const int r) const { return !m_regions[r].patches.empty(); }
+  /// seams of a region, by neighbor
+  const std::map<int, Seam>& seams(const int r) const { return m_seams[r]; }
+  const Seam& seam(const int a, const int b) const { return m_seams[a].at(b); }
+
+  /// returns the visibility over all pairs of patches of two adjacent regions, weighted by the
+  /// patches' sizes, in [0, 1].
+  double visibility(const int a, const int b)
+  {
+    return measured_seam(a, b).visibility_sum / (m_regions[a].size * m_regions[b].size);
+  }
+  /// returns the least visibility of a pair of patches of two adjacent regions, in [0, 1].
+  double least_visibility(const int a, const int b)
+  {
+    return measured_seam(a, b).visibility_least;
+  }
+
+  /// merges region `b` into region `a`, adjacent or not.
+  void merge(const int a, const int b);
+
+  /// returns the region of each patch, numbered from 0 in the order of the patches.
+  std::vector<int> labels() const;
+
+private:
+  Seam& measured_seam(int a, int b);
+  /// visibility over the pairs of patches of `a` and `b`, whether they are adjacent or not
+  Seam measure_visibility(int a, int b);
+
+  std::vector<Region> m_regions;
+  std::vector<double> m_patch_sizes;
+  std::vector<std::map<int, Seam>> m_seams; // symmetric; the lower end's entry holds the visibility
+  Patch_visibility& m_visibility;
+  std::size_t m_count = 0;
+  double m_total = 0.;
+};
+
+inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_graph& graph,
+                                  const Patches& patches, Patch_visibility& visibility,
+                                  const Parameters& parameters)
+    : m_regions(patches.size()), m_seams(patches.size()), m_visibility(visibility),
+      m_count(patches.size()), m_total(static_cast<double>(points.size()))
+{
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    m_regions[p].patches = {static_cast<int>(p)};
+    m_regions[p].size = static_cast<double>(patches.members[p].size());
+    m_patch_sizes.push_back(m_regions[p].size);
+    for (const Index i : patches.members[p])
+      m_regions[p].center_sum = m_regions[p].center_sum + points.positions[i];
+  }
+  const float tolerance = radians(parameters.seam_concavity_tolerance);
+  const float opposite = radians(115.); // from the trial of the method
+  for (Index i = 0; i < graph.size(); ++i)
+    for (const Neighbor& edge : graph[i])
+    {
+      const int a = patches.of_point[i], b = patches.of_point[edge.point];
+      if (a == b) continue;
+      Seam& seam = m_seams[a][b];
+      seam.edges += 1.;
+      if (edge.concavity <= 0.f) seam.convex += 1.;
+      if (edge.concavity > tolerance) seam.concave += 1.;
+      if (edge.concavity < -opposite) seam.opposite += 1.;
+    }
+}
+
+inline Seam Region_graph::measure_visibility(const int a, const int b)
+{
+  std::vector<std::pair<int, int>> pairs;
+  for (const int p : m_regions[a].patches)
+    for (const int q : m_regions[b].patches) pairs.push_back({p, q});
+  m_visibility.prepare(pairs);
+  Seam result;
+  for (const auto& [p, q] : pairs)
+  {
+    const double v = m_visibility(p, q);
+    result.visibility_sum += v * m_patch_sizes[p] * m_patch_sizes[q];
+    result.visibility_least = (std::min)(result.visibility_least, v);
+  }
+  return result;
+}
+
+inline Seam& Region_graph::measured_seam(const int a, const int b)
+{
+  Seam& seam = m_seams[(std::min)(a, b)].at((std::max)(a, b));
+  if (!seam.visibility_known)
+  {
+    const Seam measured = measure_visibility(a, b);
+    seam.visibility_sum = measured.visibility_sum;
+    seam.visibility_least = measured.visibility_least;
+    seam.visibility_known = true;
+  }
+  return seam;
+}
+
+inline void Region_graph::merge(const int a, const int b)
+{
+  std::map<int, Seam> merged; // seams of the union, by neighbor
+  for (const int end : {a, b})
+    for (const auto& entry : m_seams[end])
+      if (entry.first != a && entry.first != b) merged[entry.first].add_edges(entry.second);
+  for (auto& [c, seam] : merged)
+  {
+    // a sum that is known for one part of the union and missing for the other is completed, unless
+    // nobody has asked for either yet
+    const auto known = [&, c = c](const int end)
+    {
+      const auto& row = m_seams[(std::min)(end, c)];
+      const auto it = row.find((std::max)(end, c));
+      return it != row.end() && it->second.visibility_known ? &it->second : nullptr;
+    };
+    const Seam *from_a = known(a), *from_b = known(b);
+    if (from_a == nullptr && from_b == nullptr) continue;
+    seam.add_visibility(from_a != nullptr ? *from_a : measure_visibility(a, c));
+    seam.add_visibility(from_b != nullptr ? *from_b : measure_visibility(b, c));
+    seam.visibility_known = true;
+  }
+  for (const int end : {a, b})
+    for (const auto& entry : m_seams[end]) m_seams[entry.first].erase(end);
+  m_seams[b].clear();
+  m_seams[a].clear();
+  for (const auto& [c, seam] : merged) m_seams[c][a] = m_seams[a][c] = seam;
+
+  Region &into = m_regions[a], &from = m_regions[b];
+  into.patches.insert(into.patches.end(), from.patches.begin(), from.patches.end());
+  into.size += from.size;
+  into.center_sum = into.center_sum + from.center_sum;
+  into.diameters += from.diameters;
+  from = Region();
+  --m_count;
+}
+
+inline std::vector<int> Region_graph::labels() const
+{
+  std::vector<int> region_of_patch(m_regions.size());
+  for (std::size_t r = 0; r < m_regions.size(); ++r)
+    for (const int p : m_regions[r].patches) region_of_patch[p] = static_cast<int>(r);
+  std::vector<int> number(m_regions.size(), -1);
+  int next = 0;
+  for (int& r : region_of_patch)
+  {
+    if (number[r] < 0) number[r] = next++;
+    r = number[r];
+  }
+  return region_of_patch;
+}
+
+/// What a contraction tells and heeds.
+struct Contraction_log
+{
+  Merge_tree& tree;
+  Visitor* visitor = nullptr;
+};
+
+/// merges adjacent regions by ascending cost while there is one of finite cost and more than
+/// `fewest` regions are left.
+///
+/// `criterion(a, b)` returns the cost of merging two adjacent regions of the graph, infinity if they
+/// must not be. It may depend on nothing but these regions and their seam.
+template <typename Criterion>
+void contract(Region_graph& graph, const Criterion& criterion, const Contraction_log& log,
+              const std::size_t fewest = 1)
+{
+  struct Candidate
+  {
+    double cost;
+    int a, b;
+    std::size_t age_a, age_b;
+    bool operator<(const Candidate& other) const // the queue's top is its largest element
+    {
+      return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
+    }
+  };
+  std::vector<std::size_t> age(graph.regions().size(), 0);
+  std::priority_queue<Candidate> queue;
+  const auto consider = [&](const int a, const int b)
+  {
+    const int low = (std::min)(a, b), high = (std::max)(a, b);
+    const double cost = criterion(low, high);
+    if (cost < std::numeric_limits<double>::infinity())
+      queue.push({cost, low, high, age[low], age[high]});
+  };
+  for (int a = 0; a < static_cast<int>(graph.regions().size()); ++a)
+    for (const auto& entry : graph.seams(a))
+      if (a < entry.first) consider(a, entry.first);
+  while (!queue.empty() && graph.number_of_regions() > fewest)
+  {
+    const Candidate best = queue.top();
+    queue.pop();
+    if (age[best.a] != best.age_a || age[best.b] != best.age_b) continue;
+    graph.merge(best.a, best.b);
+    log.tree.add(best.a, best.b, best.cost);
+    if (log.visitor != nullptr) log.visitor->merged(best.a, best.b, best.cost);
+    ++age[best.a];
+    ++age[best.b];
+    for (const auto& entry : graph.seams(best.a)) consider(best.a, entry.first);
+  }
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REGION_GRAPH_H

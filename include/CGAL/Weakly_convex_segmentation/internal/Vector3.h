@@ -1,0 +1,77 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VECTOR3_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VECTOR3_H
+
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// index of a point, patch or region
+using Index = std::uint32_t;
+
+/// Three floats: the core works on coordinates of about unit size, where single precision is ample
+/// and half the memory traffic of double.
+struct Vector3
+{
+  float x = 0.f, y = 0.f, z = 0.f;
+
+  float operator[](const int i) const { return i == 0 ? x : (i == 1 ? y : z); }
+};
+
+inline Vector3 operator+(const Vector3& a, const Vector3& b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vector3 operator-(const Vector3& a, const Vector3& b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vector3 operator*(const float s, const Vector3& a)
+{
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline float dot(const Vector3& a, const Vector3& b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vector3 cross(const Vector3& a, const Vector3& b)
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline float squared_length(const Vector3& a)
+{
+  return dot(a, a);
+}
+inline float length(const Vector3& a)
+{
+  return std::sqrt(dot(a, a));
+}
+/// returns a unit vector, or `fallback` if `a` has no direction.
+inline Vector3 normalized(const Vector3& a, const Vector3& fallback = {0.f, 0.f, 1.f})
+{
+  const float l = length(a);
+  return l > 0.f ? (1.f / l) * a : fallback;
+}
+
+/// returns the angle between two unit vectors in radians.
+inline float angle(const Vector3& a, const Vector3& b)
+{
+  const float c = dot(a, b);
+  return std::acos(c > 1.f ? 1.f : (c < -1.f ? -1.f : c));
+}
+
+constexpr float radians(const double degrees)
+{
+  return static_cast<float>(degrees * (3.14159265358979323846 / 180.));
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VECTOR3_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDER_REFINEMENT_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDER_REFINEMENT_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/patches.h>
+
+#include <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <utility>
+#include <vector>
+
+// Border refinement (section 5, equations 3-5): borders move within a narrow band to where the
+// surface is concave.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// Where a point lies in the band along the borders.
+struct Band_point
+{
+  float distance = std::numeric_limits<float>::infinity(); ///< to the nearest border
+  int other = -1; ///< label beyond that border; -1 outside of the band
+};
+
+/// returns for each point within `width` of a border, along the graph, the distance and the label
+/// beyond it.
+inline std::vector<Band_point> find_band(const Neighbor_graph& graph,
+                                         const std::vector<int>& labels, const float width)
+{
+  std::vector<Band_point> band(graph.size());
+  using Entry = std::pair<float, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
+  for (Index i = 0; i < graph.size(); ++i)
+    for (const Neighbor& edge : graph[i])
+      if (labels[edge.point] != labels[i] && 0.5f * edge.length < band[i].distance)
+      {
+        band[i] = {0.5f * edge.length, labels[edge.point]};
+        if (band[i].distance <= width) front.push({band[i].distance, i});
+      }
+  while (!front.empty())
+  {
+    const auto [d, i] = front.top();
+    front.pop();
+    if (d > band[i].distance) continue;
+    for (const Neighbor& edge : graph[i])
+    {
+      const float through = d + edge.length;
+      if (labels[edge.point] != labels[i] || through >= band[edge.point].distance ||
+          through > width)
+        continue;
+      band[edge.point] = {through, band[i].other};
+      front.push({through, edge.point});
+    }
+  }
+  for (Band_point& b : band)
+    if (b.distance > width) b.other = -1;
+  return band;
+}
+
+/// Cost of a border across an edge: 1, less where it is concave.
+class Border_cost
+{
+  float m_angle;
+
+public:
+  explicit Border_cost(const double half_cost_degrees) : m_angle(radians(half_cost_degrees)) {}
+  double operator()(const Neighbor& edge) const
+  {
+    if (edge.concavity <= 0.f) return 1.;
+    const double ratio = edge.concavity / m_angle;
+    return 1. / (1. + ratio * ratio);
+  }
+};
+
+/// cuts one seam: `nodes` are the band points of labels `a` and `b` that face each other.
+inline void cut_seam(const Neighbor_graph& graph, const std::vector<Band_point>& band, const int a,
+                     const int b, const std::vector<Index>& nodes, const std::vector<int>& before,
+                     std::vector<Index>& node_of_point, const Parameters& parameters,
+                     std::vector<int>& labels)
+{
+  const Border_cost border(parameters.smoothness_angle);
+  constexpr Index outside = static_cast<Index>(-1);
+  // a fresh graph each time: MaxFlow::Graph::clear() of CGAL 5.5 does not reset the flow
+  ::MaxFlow::Graph flow;
+  std::vector<::MaxFlow::Graph::node_id> ids;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    node_of_point[nodes[n]] = static_cast<Index>(n);
+    ids.push_back(flow.add_node());
+  }
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    const Index i = nodes[n];
+    // equations 3 and 4: a point far from the border is dear to move
+    const double move = parameters.data_weight *
+                        std::pow(band[i].distance / parameters.band_width, parameters.data_exponent);
+    double cost_of_a = before[i] == a ? 0. : move, cost_of_b = before[i] == b ? 0. : move;
+    for (const Neighbor& edge : graph[i])
+    {
+      const Index j = node_of_point[edge.point];
+      if (j == outside)
+      {
+        if (before[edge.point] == a) cost_of_b += border(edge);
+        if (before[edge.point] == b) cost_of_a += border(edge);
+      }
+      else if (j > n)
+        flow.add_edge(ids[n], ids[j], border(edge), border(edge));
+    }
+    flow.add_tweights(ids[n], cost_of_b, cost_of_a); // the source's side is label a
+  }
+  flow.maxflow();
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    const bool is_a = flow.what_segment(ids[n]) == ::MaxFlow::Graph::SOURCE;
+    labels[nodes[n]] = is_a ? a : b;
+    node_of_point[nodes[n]] = outside;
+  }
+}
+
+/// moves the border between each two segments on its own, by a minimum cut of the points that are
+/// nearer to this border than to any other.
+inline void cut_seams(const Neighbor_graph& graph, const Parameters& parameters,
+                      std::vector<int>& labels)
+{
+  const std::vector<int> before = labels;
+  const std::vector<Band_point> band =
+      find_band(graph, before, static_cast<float>(parameters.band_width));
+  std::map<std::pair<int, int>, std::vector<Index>> seams;
+  for (Index i = 0; i < graph.size(); ++i)
+    if (band[i].other >= 0)
+      seams[std::minmax(before[i], band[i].other)].push_back(i);
+  std::vector<Index> node_of_point(graph.size(), static_cast<Index>(-1));
+  for (const auto& [pair, nodes] : seams)
+    cut_seam(graph, band, pair.first, pair.second, nodes, before, node_of_point, parameters,
+             labels);
+}
+
+/// gives pieces that the cut left behind to the label around them: those under a hundredth of their
+/// segment. Pieces that touch no other label stay.
+inline void remove_islands(const Neighbor_graph& graph, std::vector<int>& labels)
+{
+  const Pieces pieces =
+      connected_pieces(graph, std::vector<Index>(labels.begin(), labels.end()));
+  std::map<int, std::size_t> segment_sizes;
+  for (const int l : labels) ++segment_sizes[l];
+  std::map<int, std::map<int, std::size_t>> contacts; // of small pieces: edges to each label
+  for (Index i = 0; i < graph.size(); ++i)
+  {
+    const int piece = pieces.of_point[i];
+    if (100 * pieces.sizes[piece] >= segment_sizes[labels[i]]) continue;
+    for (const Neighbor& edge : graph[i])
+      if (labels[edge.point] != labels[i]) ++contacts[piece][labels[edge.point]];
+  }
+  std::map<int, int> new_label;
+  for (const auto& [piece, edges] : contacts)
+    new_label[piece] = std::max_element(edges.begin(), edges.end(), [](const auto& x, const auto& y)
+                                        { return x.second < y.second; })
+                           ->first;
+  if (new_label.empty()) return;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    const auto it = new_label.find(pieces.of_point[i]);
+    if (it != new_label.end()) labels[i] = it->second;
+  }
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDER_REFINEMENT_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ESTIMATE_NORMALS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ESTIMATE_NORMALS_H
+
+#include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/mst_orient_normals.h>
+#include <CGAL/pca_estimate_normals.h>
+#include <CGAL/property_map.h>
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+// Normals for points that have none, by CGAL's point set processing: estimated from the neighbors,
+// then oriented consistently along a minimum spanning tree.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// fills `raw.normals`. Points that the orientation does not reach keep their unoriented normal.
+template <typename ConcurrencyTag>
+void estimate_normals(Raw_points& raw)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Oriented = std::tuple<Kernel::Point_3, Kernel::Vector_3, std::size_t>;
+  constexpr unsigned int neighbors = 12;
+  std::vector<Oriented> points;
+  points.reserve(raw.positions.size());
+  for (std::size_t i = 0; i < raw.positions.size(); ++i)
+  {
+    const auto& p = raw.positions[i];
+    points.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), Kernel::Vector_3(0., 0., 1.), i);
+  }
+  if (points.size() > 3)
+  {
+    const auto np = CGAL::parameters::point_map(CGAL::Nth_of_tuple_property_map<0, Oriented>())
+                        .normal_map(CGAL::Nth_of_tuple_property_map<1, Oriented>());
+    CGAL::pca_estimate_normals<ConcurrencyTag>(points, neighbors, np);
+    CGAL::mst_orient_normals(points, neighbors, np); // moves unoriented points to the end
+  }
+  raw.normals.assign(points.size(), {0., 0., 1.});
+  for (const auto& [point, normal, index] : points)
+    raw.normals[index] = {normal.x(), normal.y(), normal.z()};
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ESTIMATE_NORMALS_H

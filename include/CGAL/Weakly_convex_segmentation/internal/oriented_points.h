@@ -1,0 +1,200 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORIENTED_POINTS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORIENTED_POINTS_H
+
+#include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Input of the method (section 3): an oriented point cloud, or a triangle mesh as one oriented point
+// a face (section 6).
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// What is read through the property maps of the caller, in input order.
+struct Raw_points
+{
+  std::vector<std::array<double, 3>> positions;
+  std::vector<std::array<double, 3>> normals; ///< of any length; zero where there is none
+  std::vector<std::array<Index, 2>> links;    ///< pairs of faces that share an edge
+};
+
+/// Points in the frame of the method: centered at the centroid, extent 1, in spatial order.
+struct Oriented_points
+{
+  std::vector<Vector3> positions;
+  std::vector<Vector3> normals;            ///< unit length
+  std::vector<Index> elements;             ///< input element of each point
+  std::vector<std::array<Index, 2>> links; ///< pairs of points known to be neighbors
+  double extent = 1.;                      ///< in units of the input
+
+  std::size_t size() const { return positions.size(); }
+};
+
+/// \throws std::invalid_argument if a coordinate is not finite.
+inline void check_finite(const std::vector<std::array<double, 3>>& vectors, const char* what)
+{
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    for (const double c : vectors[i])
+      if (!std::isfinite(c))
+        throw std::invalid_argument("the " + std::string(what) + " of element " +
+                                    std::to_string(i) +
+                                    " is not finite; remove or repair the element");
+}
+
+/// spreads the low 21 bits of `v` so that two zero bits follow each.
+inline std::uint64_t spread_bits(std::uint64_t v)
+{
+  v &= 0x1fffff;
+  v = (v | v << 32) & 0x1f00000000ffffull;
+  v = (v | v << 16) & 0x1f0000ff0000ffull;
+  v = (v | v << 8) & 0x100f00f00f00f00full;
+  v = (v | v << 4) & 0x10c30c30c30c30c3ull;
+  v = (v | v << 2) & 0x1249249249249249ull;
+  return v;
+}
+
+/// The axis-aligned bounding cube of the points.
+struct Bounding_cube
+{
+  std::array<double, 3> corner;
+  double side;
+};
+
+inline Bounding_cube bounding_cube(const std::vector<std::array<double, 3>>& positions)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low = {infinity, infinity, infinity};
+  std::array<double, 3> high = {-infinity, -infinity, -infinity};
+  for (const auto& p : positions)
+    for (int c = 0; c < 3; ++c)
+    {
+      low[c] = (std::min)(low[c], p[c]);
+      high[c] = (std::max)(high[c], p[c]);
+    }
+  const double side = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  if (!std::isfinite(side))
+    throw std::invalid_argument("the extent of the points overflows; scale the shape down");
+  return {low, side};
+}
+
+/// returns the input indices along a Morton curve. Neighbors in space become neighbors in memory,
+/// and nothing that follows depends on the order of the input (but for exact duplicates).
+inline std::vector<Index> spatial_order(const Raw_points& raw, const Bounding_cube& cube)
+{
+  struct Keyed
+  {
+    std::uint64_t key;
+    Index index;
+  };
+  std::vector<Keyed> keyed(raw.positions.size());
+  const double scale = cube.side > 0. ? 2097151. / cube.side : 0.;
+  for (std::size_t i = 0; i < keyed.size(); ++i)
+  {
+    std::array<std::uint64_t, 3> cell;
+    for (int c = 0; c < 3; ++c)
+      cell[c] = static_cast<std::uint64_t>((raw.positions[i][c] - cube.corner[c]) * scale);
+    keyed[i].key = spread_bits(cell[0]) | spread_bits(cell[1]) << 1 | spread_bits(cell[2]) << 2;
+    keyed[i].index = static_cast<Index>(i);
+  }
+  std::sort(keyed.begin(), keyed.end(),
+            [&raw](const Keyed& a, const Keyed& b)
+            {
+              if (a.key != b.key) return a.key < b.key;
+              if (raw.positions[a.index] != raw.positions[b.index])
+                return raw.positions[a.index] < raw.positions[b.index];
+              if (raw.normals[a.index] != raw.normals[b.index])
+                return raw.normals[a.index] < raw.normals[b.index];
+              return a.index < b.index;
+            });
+  std::vector<Index> order(keyed.size());
+  for (std::size_t i = 0; i < keyed.size(); ++i) order[i] = keyed[i].index;
+  return order;
+}
+
+/// returns the links after renaming their ends by `new_index`, each once, the smaller end first.
+inline std::vector<std::array<Index, 2>>
+renamed_links(const std::vector<std::array<Index, 2>>& links, const std::vector<Index>& new_index)
+{
+  std::vector<std::array<Index, 2>> result;
+  result.reserve(links.size());
+  for (const auto& link : links)
+  {
+    const Index a = new_index[link[0]], b = new_index[link[1]];
+    if (a != b) result.push_back({(std::min)(a, b), (std::max)(a, b)});
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// brings the input into the frame of the method.
+///
+/// The extent is measured from the centroid: unlike a bounding box it does not change under
+/// rotation. Complexity: O(n log n) for the spatial sort.
+/// \throws std::invalid_argument if there are no points, too many for 32 bits, or coordinates that
+/// are not finite.
+inline Oriented_points orient_points(const Raw_points& raw)
+{
+  const std::size_t n = raw.positions.size();
+  if (n == 0) throw std::invalid_argument("there are no points to segment");
+  if (n >= std::numeric_limits<Index>::max())
+    throw std::invalid_argument("there are 2^32 points or more; thin the shape first");
+  check_finite(raw.positions, "position");
+  check_finite(raw.normals, "normal");
+
+  const Bounding_cube cube = bounding_cube(raw.positions);
+  Oriented_points points;
+  points.elements = spatial_order(raw, cube);
+
+  std::array<double, 3> centroid = {0., 0., 0.}; // relative to the corner, against cancellation
+  for (const Index i : points.elements)
+    for (int c = 0; c < 3; ++c)
+      centroid[c] += (raw.positions[i][c] - cube.corner[c]) / static_cast<double>(n);
+  double radius = 0.;
+  for (const auto& p : raw.positions)
+    radius = (std::max)(radius, std::hypot(p[0] - cube.corner[0] - centroid[0],
+                                           p[1] - cube.corner[1] - centroid[1],
+                                           p[2] - cube.corner[2] - centroid[2]));
+  points.extent = radius > 0. ? 2. * radius : 1.;
+
+  points.positions.resize(n);
+  points.normals.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const auto& p = raw.positions[points.elements[i]];
+    const auto& v = raw.normals[points.elements[i]];
+    const auto coordinate = [&](const int c)
+    { return static_cast<float>((p[c] - cube.corner[c] - centroid[c]) / points.extent); };
+    points.positions[i] = {coordinate(0), coordinate(1), coordinate(2)};
+    const double l = std::hypot(v[0], v[1], v[2]);
+    if (l > 0.)
+      points.normals[i] = {static_cast<float>(v[0] / l), static_cast<float>(v[1] / l),
+                           static_cast<float>(v[2] / l)};
+  }
+  if (!raw.links.empty())
+  {
+    std::vector<Index> rank(n);
+    for (std::size_t i = 0; i < n; ++i) rank[points.elements[i]] = static_cast<Index>(i);
+    points.links = renamed_links(raw.links, rank);
+  }
+  return points;
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORIENTED_POINTS_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PARALLEL_FOR_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PARALLEL_FOR_H
+
+#include <cstddef>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// calls `f(i)` for all `i` in `[0, n)`, on several threads if asked for and TBB is there. Calls must
+/// be independent of each other, so that the outcome is the same for any number of threads.
+template <typename Function>
+void parallel_for(const std::size_t n, const bool parallel, const Function& f,
+                  [[maybe_unused]] const std::size_t grain = 256)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if (parallel && n > grain)
+  {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                      [&f](const tbb::blocked_range<std::size_t>& range)
+                      {
+                        for (std::size_t i = range.begin(); i != range.end(); ++i) f(i);
+                      });
+    return;
+  }
+#else
+  static_cast<void>(parallel);
+#endif
+  for (std::size_t i = 0; i < n; ++i) f(i);
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PARALLEL_FOR_H

@@ -1,0 +1,344 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PIPELINE_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PIPELINE_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/Result.h>
+#include <CGAL/Weakly_convex_segmentation/Visitor.h>
+#include <CGAL/Weakly_convex_segmentation/internal/alpha_expansion_refinement.h>
+#include <CGAL/Weakly_convex_segmentation/internal/component_fusion.h>
+#include <CGAL/Weakly_convex_segmentation/internal/component_merging.h>
+#include <CGAL/Weakly_convex_segmentation/internal/cost_merging.h>
+#include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+// The method as the paper's overview (figure 3) has it: points -> patches -> visibility -> components
+// -> signatures -> segments -> borders.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// How a run talks to its caller.
+struct Run_control
+{
+  bool parallel = false;
+  Visitor* visitor = nullptr;
+  std::function<bool(double)> callback; ///< progress in [0, 1]; false cancels
+
+  void progress(const double share) const
+  {
+    if (callback && !callback(share)) throw Canceled();
+  }
+
+  /// runs one stage between its events; `work` returns the number of things made.
+  template <typename Work>
+  void stage(const Stage stage, const Work& work) const
+  {
+    if (visitor != nullptr) visitor->stage_begins(stage);
+    const std::size_t size = work();
+    if (visitor != nullptr) visitor->stage_ends(stage, size);
+    progress((static_cast<double>(stage) + 1.) / number_of_stages);
+  }
+};
+
+/// What is known of a shape before any merging: all that does not depend on thresholds.
+struct Shape_analysis
+{
+  Oriented_points input;
+  Representatives representatives;
+  Neighbor_graph graph;
+  Patches patches;
+  std::unique_ptr<Sight> sight;
+  std::unique_ptr<Patch_visibility> visibility;
+  std::vector<Diameter_sample> diameters; ///< through the whole shape
+
+  const Oriented_points& points() const { return representatives.points; }
+  std::size_t representative(const std::size_t input_point) const
+  {
+    return representatives.of_point.empty() ? input_point
+                                            : representatives.of_point[input_point];
+  }
+};
+
+/// runs the stages up to the signatures.
+inline std::unique_ptr<Shape_analysis> analyze_shape(const Raw_points& raw,
+                                                     const Parameters& parameters,
+                                                     const Run_control& control)
+{
+  auto shape = std::make_unique<Shape_analysis>();
+  control.stage(Stage::SAMPLING,
+                [&]
+                {
+                  shape->input = orient_points(raw);
+                  shape->representatives =
+                      choose_representatives(shape->input, parameters.number_of_representatives);
+                  if (!parameters.use_mesh_adjacency) shape->representatives.points.links.clear();
+                  return shape->points().size();
+                });
+  control.stage(Stage::NEIGHBORS,
+                [&]
+                {
+                  shape->graph = build_neighbor_graph(shape->representatives.points,
+                                                      parameters.number_of_neighbors,
+                                                      control.parallel);
+                  return shape->graph.neighbors.size() / 2;
+                });
+  control.stage(Stage::PATCHES,
+                [&]
+                {
+                  shape->patches = extract_patches(shape->points(), shape->graph, parameters);
+                  return shape->patches.size();
+                });
+  control.stage(Stage::VISIBILITY,
+                [&]
+                {
+                  shape->sight =
+                      std::make_unique<Sight>(shape->points(), shape->graph, parameters);
+                  shape->visibility = std::make_unique<Patch_visibility>(
+                      *shape->sight, shape->patches, parameters, control.parallel);
+                  return shape->sight->tree().size();
+                });
+  control.stage(Stage::SIGNATURES,
+                [&]
+                {
+                  if (parameters.diameter == Diameter_rule::WHOLE_SHAPE)
+                    shape->diameters = shape_diameters(*shape->sight, parameters, control.parallel);
+                  return shape->diameters.size();
+                });
+  return shape;
+}
+
+/// goes on merging until one region is left, so that the merge tree serves any granularity: adjacent
+/// regions by cost, then the smallest region of what is not adjacent to its nearest.
+inline void merge_to_one(Region_graph& graph, const Contraction_log& log, const std::size_t fewest)
+{
+  while (graph.number_of_regions() > fewest)
+  {
+    const auto& regions = graph.regions();
+    int smallest = -1, nearest = -1;
+    for (int r = 0; r < static_cast<int>(regions.size()); ++r)
+      if (graph.is_region(r) && (smallest < 0 || regions[r].size < regions[smallest].size))
+        smallest = r;
+    const auto center = [&](const int r)
+    { return (1.f / static_cast<float>(regions[r].size)) * regions[r].center_sum; };
+    float best = std::numeric_limits<float>::infinity();
+    for (int r = 0; r < static_cast<int>(regions.size()); ++r)
+    {
+      if (!graph.is_region(r) || r == smallest) continue;
+      const float d = squared_length(center(r) - center(smallest));
+      if (d < best)
+      {
+        best = d;
+        nearest = r;
+      }
+    }
+    graph.merge(nearest, smallest);
+    log.tree.add(nearest, smallest, (std::numeric_limits<double>::max)());
+  }
+}
+
+/// fusion and merging by the default's cost (sections 4 and 5).
+inline void merge_by_cost(Shape_analysis& shape, Region_graph& graph, const Parameters& parameters,
+                          const Run_control& control, const Contraction_log& log)
+{
+  Histogram_scale scale;
+  scale.bins = parameters.histogram_bins;
+  set_signatures(graph, shape.patches, shape.diameters, scale);
+  const Region_cost cost(graph, scale, parameters);
+  control.stage(Stage::FUSION,
+                [&]
+                {
+                  contract_by_cost(graph, cost, parameters.fusion_cost,
+                                   parameters.fusion_cost.threshold, log);
+                  log.tree.set_fused();
+                  return graph.number_of_regions();
+                });
+  control.stage(Stage::MERGING,
+                [&]
+                {
+                  constexpr double any = (std::numeric_limits<double>::max)();
+                  contract_by_cost(graph, cost, parameters.merging_cost,
+                                   parameters.merging_cost.threshold, log);
+                  absorb_small_regions(graph, cost, parameters, log);
+                  const std::size_t most = parameters.maximum_number_of_segments;
+                  if (most > 0)
+                  {
+                    contract_by_cost(graph, cost, parameters.merging_cost, any, log, most);
+                    merge_to_one(graph, log, most);
+                  }
+                  log.tree.set_accepted();
+                  const std::size_t accepted = graph.number_of_regions();
+                  contract_by_cost(graph, cost, parameters.merging_cost, any, log);
+                  merge_to_one(graph, log, 1);
+                  return accepted;
+                });
+}
+
+/// fusion and merging by the paper's rules (sections 4 and 5).
+inline void merge_by_paper(Shape_analysis& shape, Region_graph& graph, const Parameters& parameters,
+                           const Run_control& control, const Contraction_log& log)
+{
+  control.stage(Stage::FUSION,
+                [&]
+                {
+                  fuse_components(graph, parameters, log);
+                  log.tree.set_fused();
+                  return graph.number_of_regions();
+                });
+  control.stage(
+      Stage::MERGING,
+      [&]
+      {
+        Component_signatures signatures(shape.points(), shape.patches, parameters,
+                                        control.parallel);
+        merge_components(graph, signatures, shape.diameters, parameters, log);
+        const auto blindness = [&](const int a, const int b) { return 2. - graph.visibility(a, b); };
+        const std::size_t most = parameters.maximum_number_of_segments;
+        if (most > 0)
+        {
+          contract(graph, blindness, log, most);
+          merge_to_one(graph, log, most);
+        }
+        log.tree.set_accepted();
+        const std::size_t accepted = graph.number_of_regions();
+        contract(graph, blindness, log);
+        merge_to_one(graph, log, 1);
+        return accepted;
+      });
+}
+
+/// contracts the patches; the outcome is the merge tree.
+inline Merge_tree merge_patches(Shape_analysis& shape, const Parameters& parameters,
+                                const Run_control& control)
+{
+  Merge_tree tree(shape.patches.size());
+  Region_graph graph(shape.points(), shape.graph, shape.patches, *shape.visibility, parameters);
+  const Contraction_log log{tree, control.visitor};
+  if (parameters.merging == Merging_rule::COST)
+    merge_by_cost(shape, graph, parameters, control, log);
+  else
+    merge_by_paper(shape, graph, parameters, control, log);
+  return tree;
+}
+
+/// renames labels to 0, 1, ... in the order of their first element; returns how many there are.
+inline std::size_t number_labels(std::vector<int>& labels)
+{
+  int largest = -1;
+  for (const int l : labels) largest = (std::max)(largest, l);
+  std::vector<int> number(static_cast<std::size_t>(largest + 1), -1);
+  int next = 0;
+  for (int& l : labels)
+  {
+    if (number[l] < 0) number[l] = next++;
+    l = number[l];
+  }
+  return static_cast<std::size_t>(next);
+}
+
+/// returns one label an input element from those of the representatives.
+inline std::vector<int> element_labels(const Shape_analysis& shape, const std::vector<int>& labels)
+{
+  std::vector<int> result(shape.input.size());
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[shape.input.elements[i]] = labels[shape.representative(i)];
+  return result;
+}
+
+/// fills size, convexity rank, diameter and neighbors of each segment.
+inline std::vector<Segment> describe_segments(const Shape_analysis& shape,
+                                              const std::vector<int>& point_labels,
+                                              const std::vector<int>& element_labels,
+                                              const std::size_t count)
+{
+  constexpr std::size_t rank_sample = 40; // 780 lines of sight a segment
+  constexpr double rank_tolerance = 5.;   // degrees: flat faces and noise are not concave
+  std::vector<Segment> segments(count);
+  std::vector<std::vector<Index>> members(count);
+  std::vector<std::set<std::size_t>> neighbors(count);
+  Histogram_scale scale;
+  std::vector<Diameter_histogram> diameters(count);
+  for (const int l : element_labels) ++segments[l].size;
+  for (Index i = 0; i < point_labels.size(); ++i)
+  {
+    members[point_labels[i]].push_back(i);
+    for (const Neighbor& edge : shape.graph[i])
+      if (point_labels[edge.point] != point_labels[i])
+        neighbors[point_labels[i]].insert(static_cast<std::size_t>(point_labels[edge.point]));
+  }
+  for (const Diameter_sample& s : shape.diameters)
+    diameters[point_labels[s.point]].add(scale, s.diameter);
+  for (std::size_t l = 0; l < count; ++l)
+  {
+    segments[l].convexity_rank =
+        convexity_rank(*shape.sight, members[l], rank_sample, rank_tolerance);
+    segments[l].diameter = diameters[l].median(scale) * shape.input.extent;
+    segments[l].neighbors.assign(neighbors[l].begin(), neighbors[l].end());
+  }
+  return segments;
+}
+
+/// refines the borders of `region_of_patch` and carries the labels to the input.
+inline Result finish_segmentation(const Shape_analysis& shape, Merge_tree tree,
+                                  const std::vector<int>& region_of_patch,
+                                  const Parameters& parameters, const Run_control& control)
+{
+  Result result;
+  std::vector<int> labels(shape.points().size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    labels[i] = region_of_patch[shape.patches.of_point[i]];
+  control.stage(Stage::REFINEMENT, [&] { return refine_borders(shape.graph, parameters, labels); });
+  control.stage(Stage::STATISTICS,
+                [&]
+                {
+                  result.labels = element_labels(shape, labels);
+                  const std::vector<int> before = result.labels;
+                  const std::size_t count = number_labels(result.labels);
+                  std::vector<int> number(shape.patches.size(), -1);
+                  for (std::size_t e = 0; e < before.size(); ++e)
+                    number[before[e]] = result.labels[e];
+                  for (int& l : labels) l = number[l];
+                  result.segments = describe_segments(shape, labels, result.labels, count);
+                  result.patches = element_labels(shape, shape.patches.of_point);
+                  return count;
+                });
+  result.number_of_components = tree.number_of_patches() - tree.number_of_fusions();
+  result.merge_tree = std::move(tree);
+  return result;
+}
+
+/// returns the region of each patch at a level of a merge tree.
+inline std::vector<int> regions_at(const Merge_tree& tree, const Level level)
+{
+  if (level == Level::PATCHES) return tree.labels_after(0);
+  if (level == Level::COMPONENTS) return tree.labels_after(tree.number_of_fusions());
+  return tree.labels_after(tree.number_of_accepted_merges());
+}
+
+/// the whole method
+inline Result segment_points(const Raw_points& raw, const Parameters& parameters,
+                             const Run_control& control)
+{
+  parameters.check();
+  control.progress(0.);
+  const auto shape = analyze_shape(raw, parameters, control);
+  Merge_tree tree = merge_patches(*shape, parameters, control);
+  const std::vector<int> regions = regions_at(tree, Level::SEGMENTS);
+  return finish_segmentation(*shape, std::move(tree), regions, parameters, control);
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PIPELINE_H

@@ -1,0 +1,270 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_READ_INPUT_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_READ_INPUT_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
+#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+// Templates at the edge: the caller's containers are read through property maps into flat arrays once.
+
+namespace CGAL {
+
+// declared only: who passes a point set has included its header
+template <typename Point, typename Vector>
+class Point_set_3;
+
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+using Coordinates = std::array<double, 3>;
+
+template <typename Vector>
+Coordinates coordinates(const Vector& v)
+{
+  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+}
+
+inline Coordinates operator-(const Coordinates& a, const Coordinates& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <typename NamedParameters, typename Tag>
+constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+/// reads the named parameters that are not about geometry.
+template <typename ConcurrencyTag, typename NamedParameters>
+Run_control read_control(const NamedParameters& np)
+{
+  Run_control control;
+  control.parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
+  if constexpr (is_given<NamedParameters, CGAL::internal_np::callback_t>)
+    control.callback = CGAL::parameters::get_parameter(np, CGAL::internal_np::callback);
+  if constexpr (is_given<NamedParameters, CGAL::internal_np::visitor_t>)
+    control.visitor = &CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor);
+  return control;
+}
+
+template <typename NamedParameters>
+unsigned int read_seed(const NamedParameters& np, const Parameters& parameters)
+{
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed), parameters.seed);
+}
+
+/// returns the point map that was given or the identity.
+template <typename Range, typename NamedParameters>
+auto point_map_of(const Range&, const NamedParameters& np)
+{
+  using Element = typename std::iterator_traits<typename Range::const_iterator>::value_type;
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::point_map),
+      CGAL::Identity_property_map<Element>());
+}
+
+/// reads a range of points. Without a normal map the normals are estimated.
+template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
+Raw_points read_points(const PointRange& range, const NamedParameters& np)
+{
+  const auto point_map = point_map_of(range, np);
+  Raw_points raw;
+  for (const auto& element : range) raw.positions.push_back(coordinates(get(point_map, element)));
+  if constexpr (is_given<NamedParameters, CGAL::internal_np::normal_t>)
+  {
+    const auto normal_map = CGAL::parameters::get_parameter(np, CGAL::internal_np::normal_map);
+    for (const auto& element : range) raw.normals.push_back(coordinates(get(normal_map, element)));
+  }
+  else
+  {
+    check_finite(raw.positions, "position");
+    estimate_normals<ConcurrencyTag>(raw);
+  }
+  return raw;
+}
+
+/// reads a `CGAL::Point_set_3`, with its normals if it has them.
+template <typename ConcurrencyTag, typename PointSet>
+Raw_points read_point_set(const PointSet& points)
+{
+  Raw_points raw;
+  for (const auto& index : points) raw.positions.push_back(coordinates(points.point(index)));
+  if (points.has_normal_map())
+  {
+    for (const auto& index : points) raw.normals.push_back(coordinates(points.normal(index)));
+  }
+  else
+  {
+    check_finite(raw.positions, "position");
+    estimate_normals<ConcurrencyTag>(raw);
+  }
+  return raw;
+}
+
+/// adds centroid and area vector (of twice the area) of a polygon.
+inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_points& raw)
+{
+  Coordinates centroid = {0., 0., 0.}, normal = {0., 0., 0.};
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c) centroid[c] += polygon[i][c] / static_cast<double>(polygon.size());
+    const Coordinates a = polygon[i] - polygon[0];
+    const Coordinates b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    normal[0] += a[1] * b[2] - a[2] * b[1];
+    normal[1] += a[2] * b[0] - a[0] * b[2];
+    normal[2] += a[0] * b[1] - a[1] * b[0];
+  }
+  raw.positions.push_back(centroid);
+  raw.normals.push_back(normal);
+}
+
+/// reads a mesh as one point a face (section 6): centroid, normal, and links between faces that
+/// share an edge.
+template <typename FaceGraph, typename VertexPointMap>
+Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points)
+{
+  using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
+  Raw_points raw;
+  std::unordered_map<face_descriptor, Index> index;
+  std::vector<Coordinates> corners;
+  for (const face_descriptor f : faces(mesh))
+  {
+    corners.clear();
+    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      corners.push_back(coordinates(get(points, v)));
+    index.emplace(f, static_cast<Index>(raw.positions.size()));
+    add_polygon(corners, raw);
+  }
+  const face_descriptor none = boost::graph_traits<FaceGraph>::null_face();
+  for (const auto e : edges(mesh))
+  {
+    const auto h = halfedge(e, mesh);
+    const face_descriptor f = face(h, mesh), g = face(opposite(h, mesh), mesh);
+    if (f != none && g != none) raw.links.push_back({index.at(f), index.at(g)});
+  }
+  return raw;
+}
+
+/// returns for each soup vertex the first one at the same position: soups are welded by position.
+inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& points)
+{
+  std::map<Coordinates, std::size_t> first;
+  std::vector<std::size_t> welded(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) welded[i] = first.emplace(points[i], i).first->second;
+  return welded;
+}
+
+/// reads a polygon soup as one point a polygon, with links between those that share an edge.
+/// \throws std::invalid_argument if an index is out of range or a polygon has under 3 corners.
+template <typename PointRange, typename PolygonRange, typename PointMap>
+Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, const PointMap& map)
+{
+  std::vector<Coordinates> positions;
+  for (const auto& p : points) positions.push_back(coordinates(get(map, p)));
+  check_finite(positions, "position");
+  const std::vector<std::size_t> welded = welded_vertices(positions);
+
+  Raw_points raw;
+  std::map<std::pair<std::size_t, std::size_t>, Index> first_at_edge;
+  std::vector<Coordinates> corners;
+  std::vector<std::size_t> vertices;
+  for (const auto& polygon : polygons)
+  {
+    const Index f = static_cast<Index>(raw.positions.size());
+    corners.clear();
+    vertices.clear();
+    for (const auto v : polygon)
+    {
+      const std::size_t i = static_cast<std::size_t>(v);
+      if (i >= positions.size())
+        throw std::invalid_argument("polygon " + std::to_string(f) + " names point " +
+                                    std::to_string(i) + ", but there are only " +
+                                    std::to_string(positions.size()) + " points");
+      corners.push_back(positions[i]);
+      vertices.push_back(welded[i]);
+    }
+    if (corners.size() < 3)
+      throw std::invalid_argument("polygon " + std::to_string(f) + " has fewer than 3 corners");
+    add_polygon(corners, raw);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      const auto edge = std::minmax(vertices[i], vertices[(i + 1) % vertices.size()]);
+      const auto [slot, is_new] = first_at_edge.emplace(edge, f);
+      if (!is_new && slot->second != f) raw.links.push_back({slot->second, f});
+    }
+  }
+  return raw;
+}
+
+template <typename Input, typename = void>
+struct Is_face_graph : std::false_type
+{
+};
+template <typename Input>
+struct Is_face_graph<Input, std::void_t<typename boost::graph_traits<Input>::face_descriptor>>
+    : std::true_type
+{
+};
+template <typename Input>
+struct Is_point_set : std::false_type
+{
+};
+template <typename Point, typename Vector>
+struct Is_point_set<CGAL::Point_set_3<Point, Vector>> : std::true_type
+{
+};
+
+/// reads any input but soups.
+template <typename ConcurrencyTag, typename Input, typename NamedParameters>
+Raw_points read_input(const Input& input, const NamedParameters& np)
+{
+  if constexpr (Is_point_set<Input>::value)
+    return read_point_set<ConcurrencyTag>(input);
+  else if constexpr (Is_face_graph<Input>::value)
+    return read_mesh(input, CGAL::parameters::choose_parameter(
+                                CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                get_const_property_map(CGAL::vertex_point, input)));
+  else
+    return read_points<ConcurrencyTag>(input, np);
+}
+
+/// writes the labels back through the caller's map.
+template <typename Input, typename LabelMap>
+void write_labels(const Input& input, const std::vector<int>& labels, LabelMap& map)
+{
+  auto label = labels.begin();
+  if constexpr (Is_face_graph<Input>::value)
+  {
+    for (const auto f : faces(input)) put(map, f, *label++);
+  }
+  else
+  {
+    for (const auto& element : input) put(map, element, *label++);
+  }
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_READ_INPUT_H

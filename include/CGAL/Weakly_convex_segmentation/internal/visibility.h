@@ -1,0 +1,199 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Disk_tree.h>
+#include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
+#include <CGAL/Weakly_convex_segmentation/internal/patches.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+// Mutual visibility of points and of patches (sections 3 and 4).
+//
+// The paper is silent on how near the ends of a line the disks begin to occlude, and on whether a
+// line that passes outside of the shape, over a gap, counts: see `Parameters::clearance_factor` and
+// `Parameters::outside_tolerance`.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// returns the disk of every point, as large as the mean distance to its neighbors.
+inline std::vector<Disk> make_disks(const Oriented_points& points, const Neighbor_graph& graph,
+                                    const double radius_factor)
+{
+  std::vector<Disk> disks(points.size());
+  for (std::size_t i = 0; i < disks.size(); ++i)
+    disks[i] = {points.positions[i], points.normals[i],
+                static_cast<float>(radius_factor) * graph.spacing[i]};
+  return disks;
+}
+
+/// returns `count` members spread evenly: members are in spatial order, so equal steps are fair.
+inline std::vector<Index> spread_sample(const std::vector<Index>& members, const std::size_t count)
+{
+  if (members.size() <= count) return members;
+  std::vector<Index> sample(count);
+  for (std::size_t i = 0; i < count; ++i)
+    sample[i] = members[(2 * i + 1) * members.size() / (2 * count)];
+  return sample;
+}
+
+/// Lines of sight between the points of one shape.
+class Sight
+{
+public:
+  Sight(const Oriented_points& points, const Neighbor_graph& graph, const Parameters& parameters)
+      : m_points(points),
+        m_tree(make_disks(points, graph, parameters.disk_radius_factor),
+               static_cast<float>(parameters.clearance_factor)),
+        m_outside_slope(parameters.outside_tolerance < 90.
+                            ? std::sin(radians(parameters.outside_tolerance))
+                            : 2.f)
+  {
+  }
+
+  const Oriented_points& points() const { return m_points; }
+  const Disk_tree& tree() const { return m_tree; }
+
+  /// returns whether the segment from `i` to `j` leaves the surface inwards at both ends, up to the
+  /// tolerance, and no disk occludes it.
+  bool sees(const Index i, const Index j) const
+  {
+    if (i == j) return true;
+    const Vector3 &p = m_points.positions[i], &q = m_points.positions[j];
+    return within(p, q, i, j, m_outside_slope) && m_tree.unoccluded(p, q);
+  }
+
+  /// the same with a tolerance of its own, in degrees
+  bool sees_inside(const Index i, const Index j, const double tolerance) const
+  {
+    if (i == j) return true;
+    const Vector3 &p = m_points.positions[i], &q = m_points.positions[j];
+    return within(p, q, i, j, std::sin(radians(tolerance))) && m_tree.unoccluded(p, q);
+  }
+
+private:
+  bool within(const Vector3& p, const Vector3& q, const Index i, const Index j,
+              const float slope) const
+  {
+    if (slope > 1.f) return true;
+    const Vector3 direction = q - p;
+    const float highest = slope * length(direction);
+    return dot(m_points.normals[i], direction) <= highest &&
+           -dot(m_points.normals[j], direction) <= highest;
+  }
+
+  const Oriented_points& m_points;
+  Disk_tree m_tree;
+  float m_outside_slope;
+};
+
+/// Ratio of unoccluded rays between each pair of patches, computed when first asked for and kept.
+class Patch_visibility
+{
+public:
+  Patch_visibility(const Sight& sight, const Patches& patches, const Parameters& parameters,
+                   const bool parallel)
+      : m_sight(sight), m_early(parameters.rays_for_early_decision), m_parallel(parallel)
+  {
+    for (const auto& members : patches.members)
+      m_samples.push_back(spread_sample(members, parameters.samples_per_patch));
+  }
+
+  std::size_t number_of_patches() const { return m_samples.size(); }
+
+  /// returns the ratio of the sampled lines between the patches that are unoccluded, in [0, 1].
+  double operator()(const int a, const int b)
+  {
+    const auto [slot, is_new] = m_known.emplace(key(a, b), 0.f);
+    if (is_new) slot->second = cast(static_cast<std::size_t>((std::min)(a, b)), (std::max)(a, b));
+    return slot->second;
+  }
+
+  /// computes all that is not known yet of `pairs`, on several threads if there are.
+  void prepare(const std::vector<std::pair<int, int>>& pairs)
+  {
+    std::vector<std::pair<int, int>> missing;
+    for (const auto& [a, b] : pairs)
+      if (m_known.emplace(key(a, b), -1.f).second)
+        missing.push_back({(std::min)(a, b), (std::max)(a, b)});
+    std::vector<float> ratios(missing.size());
+    parallel_for(
+        missing.size(), m_parallel, [&](const std::size_t i)
+        { ratios[i] = cast(missing[i].first, missing[i].second); },
+        4);
+    for (std::size_t i = 0; i < missing.size(); ++i)
+      m_known[key(missing[i].first, missing[i].second)] = ratios[i];
+  }
+
+  /// number of pairs of patches that were asked for so far
+  std::size_t known_pairs() const { return m_known.size(); }
+
+private:
+  static std::uint64_t key(const int a, const int b)
+  {
+    return static_cast<std::uint64_t>((std::min)(a, b)) << 32 |
+           static_cast<std::uint64_t>((std::max)(a, b));
+  }
+
+  /// Most pairs see each other fully or not at all: they are decided by the first rays, which a
+  /// stride coprime to the count spreads over both patches.
+  float cast(const std::size_t a, const std::size_t b) const
+  {
+    const std::vector<Index>&from = m_samples[a], &to = m_samples[b];
+    const std::size_t rays = from.size() * to.size();
+    std::size_t stride = rays * 5 / 8 + 1;
+    while (common_divisor(stride, rays) != 1) ++stride;
+    std::size_t free = 0, ray = 0;
+    for (std::size_t i = 0; i < rays; ++i, ray = (ray + stride) % rays)
+    {
+      free += m_sight.sees(from[ray % from.size()], to[ray / from.size()]) ? 1 : 0;
+      if (i + 1 == m_early && (free == 0 || free == m_early)) return free == 0 ? 0.f : 1.f;
+    }
+    return static_cast<float>(free) / static_cast<float>(rays);
+  }
+
+  static std::size_t common_divisor(std::size_t a, std::size_t b)
+  {
+    while (b != 0) a = std::exchange(b, a % b);
+    return a;
+  }
+
+  const Sight& m_sight;
+  std::size_t m_early;
+  bool m_parallel;
+  std::vector<std::vector<Index>> m_samples;
+  std::unordered_map<std::uint64_t, float> m_known;
+};
+
+/// returns the convexity rank |LoS(S)| / |S|^2 (equation 1) of the points `subset`, from at most
+/// `sample_size` of them spread over the subset. A line of sight must not leave the shape at its
+/// ends by more than `tolerance` degrees. A point sees itself.
+inline double convexity_rank(const Sight& sight, const std::vector<Index>& subset,
+                             const std::size_t sample_size, const double tolerance)
+{
+  if (subset.empty()) return 1.;
+  const std::vector<Index> sample = spread_sample(subset, sample_size);
+  std::size_t pairs = sample.size();
+  for (std::size_t i = 0; i < sample.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (sight.sees_inside(sample[i], sample[j], tolerance)) pairs += 2;
+  return static_cast<double>(pairs) / static_cast<double>(sample.size() * sample.size());
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_H

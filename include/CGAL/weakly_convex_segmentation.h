@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/Result.h>
+#include <CGAL/Weakly_convex_segmentation/Segmenter.h>
+#include <CGAL/Weakly_convex_segmentation/Visitor.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// segments a range of points, or a triangle mesh, into its parts.
+///
+/// The method is that of \cgalCite{cgal:kfkac-ssaca-14}: nearly convex patches are fused into weakly
+/// convex components where they see each other inside of the shape, components of similar volume are
+/// merged, and the borders refined.
+///
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result does not depend on it
+/// \tparam Input one of
+///   - a model of `ConstRange` of points: the value type is the key type of the maps;
+///   - a `CGAL::Point_set_3`, with or without normals: its index is the key type of `LabelMap`;
+///   - a triangle mesh, model of `FaceListGraph`: the key type of `LabelMap` is its face descriptor;
+///     each face counts as one oriented point.
+/// \tparam LabelMap a model of `WritablePropertyMap` with value type `int`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param input the shape; it is not changed
+/// \param label_map receives the label of each element, numbered from 0; it is written only when
+///   all has succeeded
+/// \param parameters the knobs of the algorithm
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{point_map}
+///     \cgalParamDescription{a property map from the elements of a range to points}
+///     \cgalParamType{a model of `ReadablePropertyMap`, value type `Point_3`}
+///     \cgalParamDefault{`CGAL::Identity_property_map`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{normal_map}
+///     \cgalParamDescription{a property map from the elements of a range to outward normals of any
+///       length}
+///     \cgalParamType{a model of `ReadablePropertyMap`, value type `Vector_3`}
+///     \cgalParamDefault{normals are estimated and oriented by `pca_estimate_normals()` and
+///       `mst_orient_normals()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map from the vertices of a mesh to points}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{called with the progress from 0 to 1; false stops the run}
+///     \cgalParamType{`std::function<bool(double)>`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{told of the stages}
+///     \cgalParamType{`std::ref()` of an object derived from `Weakly_convex_segmentation::Visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{takes the place of `Parameters::seed`}
+///     \cgalParamType{`unsigned int`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns labels in input order, what is known of each segment, and the merge tree
+///
+/// \throws std::invalid_argument if there are no elements, a coordinate is not finite, or a parameter
+///   is out of its range
+/// \throws Weakly_convex_segmentation::Canceled if the callback returns false
+///
+/// Complexity: O(n log n) for n elements in the neighbor search; all that is not near linear runs on
+/// `Parameters::number_of_representatives` points. The function is reentrant.
+template <typename ConcurrencyTag = Sequential_tag, typename Input, typename LabelMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Weakly_convex_segmentation::Result weakly_convex_segmentation(
+    const Input& input, LabelMap label_map,
+    const Weakly_convex_segmentation::Parameters& parameters = {},
+    const NamedParameters& np = parameters::default_values())
+{
+  using Segmenter = Weakly_convex_segmentation::Segmenter<ConcurrencyTag>;
+  Segmenter segmenter(input, parameters, np);
+  Weakly_convex_segmentation::Result result = segmenter.segment(parameters);
+  Weakly_convex_segmentation::internal::write_labels(input, result.labels, label_map);
+  return result;
+}
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// segments a polygon soup: polygons of 3 or more corners, in any orientation, that need not form a
+/// surface. Vertices at the same position count as one.
+///
+/// \tparam PointRange a model of `ConstRange` of points
+/// \tparam PolygonRange a model of `ConstRange` of ranges of indices of points
+/// \returns a result with one label a polygon
+/// \throws std::invalid_argument as `weakly_convex_segmentation()`, and for polygons with fewer than
+///   3 corners or with an index out of range
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename PolygonRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Weakly_convex_segmentation::Result weakly_convex_segmentation_of_soup(
+    const PointRange& points, const PolygonRange& polygons,
+    const Weakly_convex_segmentation::Parameters& parameters = {},
+    const NamedParameters& np = parameters::default_values())
+{
+  Weakly_convex_segmentation::Segmenter<ConcurrencyTag> segmenter(points, polygons, parameters, np);
+  return segmenter.segment(parameters);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_H
