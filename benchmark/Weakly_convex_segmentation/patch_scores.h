@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -54,13 +55,73 @@ inline WCS::internal::Raw_points read_raw(const SM::Mesh& mesh)
       CGAL::Identity_property_map<CGAL::Simple_cartesian<double>::Point_3>());
 }
 
+/// What a model is turned into before it is segmented.
+enum class Variant
+{
+  MESH,      ///< as it is
+  POINTS,    ///< face centroids without the mesh
+  HALF,      ///< a random half of the face centroids
+  TWO_VIEWS, ///< the face centroids that are seen from two random sides
+  FOUR_VIEWS ///< the same from four sides
+};
+
+/// returns which faces are seen from `views` random directions.
+inline std::vector<char> seen_faces(const WCS::internal::Raw_points& raw, const int views,
+                                    std::mt19937& random)
+{
+  WCS::Parameters parameters;
+  parameters.number_of_representatives = 1000000;
+  WCS::internal::Oriented_points points = WCS::internal::orient_points(raw);
+  const auto graph = WCS::internal::build_neighbor_graph(points, 10, false);
+  const WCS::internal::Sight sight(points, graph, parameters);
+  std::vector<char> seen(points.size(), 0);
+  std::normal_distribution<float> normal;
+  for (int view = 0; view < views; ++view)
+  {
+    const auto camera = 2.f * WCS::internal::normalized(
+                                  {normal(random), normal(random), 0.5f * normal(random)});
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (dot(points.normals[i], camera - points.positions[i]) > 0.f &&
+          sight.tree().unoccluded(points.positions[i], camera))
+        seen[points.elements[i]] = 1;
+  }
+  return seen;
+}
+
+/// returns the faces that a variant keeps.
+inline std::vector<std::size_t> kept_faces(const WCS::internal::Raw_points& raw,
+                                           const Variant variant, const int seed)
+{
+  std::mt19937 random(static_cast<unsigned int>(seed));
+  std::vector<char> keep(raw.positions.size(), 1);
+  if (variant == Variant::HALF)
+    for (char& k : keep) k = random() % 2 == 0 ? 1 : 0;
+  if (variant == Variant::TWO_VIEWS) keep = seen_faces(raw, 2, random);
+  if (variant == Variant::FOUR_VIEWS) keep = seen_faces(raw, 4, random);
+  std::vector<std::size_t> faces;
+  for (std::size_t f = 0; f < keep.size(); ++f)
+    if (keep[f] != 0) faces.push_back(f);
+  return faces;
+}
+
 inline Model load(const std::filesystem::path& data, const int number,
-                  const WCS::Parameters& parameters)
+                  const WCS::Parameters& parameters, const Variant variant = Variant::MESH)
 {
   const SM::Benchmark_model benchmark = SM::read_benchmark_model(data, number);
+  const WCS::internal::Raw_points whole = read_raw(benchmark.mesh);
+  const std::vector<std::size_t> faces = kept_faces(whole, variant, number);
+  WCS::internal::Raw_points raw;
+  if (variant == Variant::MESH)
+    raw = whole;
+  else
+    for (const std::size_t f : faces)
+    {
+      raw.positions.push_back(whole.positions[f]);
+      raw.normals.push_back(whole.normals[f]);
+    }
   Model model;
   model.number = number;
-  model.shape = WCS::internal::analyze_shape(read_raw(benchmark.mesh), parameters, {});
+  model.shape = WCS::internal::analyze_shape(raw, parameters, {});
   const std::vector<int> patches =
       WCS::internal::element_labels(*model.shape, model.shape->patches.of_point);
   model.faces = static_cast<double>(patches.size());
@@ -73,8 +134,9 @@ inline Model load(const std::filesystem::path& data, const int number,
     std::map<std::size_t, double> sizes;
     for (std::size_t f = 0; f < patches.size(); ++f)
     {
-      counts.of_patch[static_cast<std::size_t>(patches[f])][human.labels[f]] += 1.;
-      sizes[human.labels[f]] += 1.;
+      const std::size_t label = human.labels[faces[f]];
+      counts.of_patch[static_cast<std::size_t>(patches[f])][label] += 1.;
+      sizes[label] += 1.;
     }
     for (const auto& entry : sizes) counts.pairs_within += pairs(entry.second);
     model.humans.push_back(std::move(counts));

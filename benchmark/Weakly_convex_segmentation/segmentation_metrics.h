@@ -53,7 +53,11 @@ struct Contingency_table
 // The benchmark's evaluator counts the pairs of n faces as n * ((n - 1) / 2) with an integer
 // division, so that its 1 - RI is too large by (n - 1) / (n - 2) if n is even. `as_evaluator`
 // repeats this, to compare with printed values.
-enum class Pair_count { exact, as_evaluator };
+enum class Pair_count
+{
+  exact,
+  as_evaluator
+};
 
 struct Hamming_distance
 {
@@ -88,10 +92,7 @@ struct Scores
 
 namespace internal {
 
-inline std::uint64_t pairs_of(std::uint64_t n)
-{
-  return n == 0 ? 0 : n * (n - 1) / 2;
-}
+inline std::uint64_t pairs_of(std::uint64_t n) { return n == 0 ? 0 : n * (n - 1) / 2; }
 
 // The part of a segment outside an overlap; 0 for a segment of degenerate faces, which has no
 // area to be outside of.
@@ -104,10 +105,10 @@ inline double outside(double segment, double overlap)
 // exactly its area, and nested segmentations have errors of exactly 0.
 inline void add_sizes(Contingency_table& table)
 {
-  for(const Overlap& overlap : table.overlaps)
+  for (const Overlap& overlap : table.overlaps)
   {
-    for(Segment_size* size :
-        {&table.first_sizes[overlap.first], &table.second_sizes[overlap.second]})
+    for (Segment_size* size :
+         {&table.first_sizes[overlap.first], &table.second_sizes[overlap.second]})
     {
       size->count += overlap.count;
       size->area += overlap.area;
@@ -125,28 +126,25 @@ inline Contingency_table make_contingency_table(const Mesh_geometry& geometry,
                                                 const Prepared_segmentation& second)
 {
   const std::size_t n = geometry.face_areas.size();
-  if(first.labels.size() != n || second.labels.size() != n)
+  if (first.labels.size() != n || second.labels.size() != n)
     throw std::invalid_argument("The segmentations and the mesh differ in their numbers of "
                                 "faces: prepare both segmentations with this mesh.");
   std::vector<std::size_t> next(first.number_of_segments + 1, 0);
-  for(const std::size_t label : first.labels)
-    ++next[label + 1];
-  for(std::size_t i = 0; i < first.number_of_segments; ++i)
-    next[i + 1] += next[i];
+  for (const std::size_t label : first.labels) ++next[label + 1];
+  for (std::size_t i = 0; i < first.number_of_segments; ++i) next[i + 1] += next[i];
   std::vector<std::size_t> faces(n);
-  for(std::size_t f = 0; f < n; ++f)
-    faces[next[first.labels[f]]++] = f;
+  for (std::size_t f = 0; f < n; ++f) faces[next[first.labels[f]]++] = f;
 
   Contingency_table table;
   table.number_of_faces = n;
   table.first_sizes.resize(first.number_of_segments);
   table.second_sizes.resize(second.number_of_segments);
   std::vector<std::size_t> overlap_of(second.number_of_segments, n);
-  for(const std::size_t f : faces)
+  for (const std::size_t f : faces)
   {
     const std::size_t i = first.labels[f];
     const std::size_t j = second.labels[f];
-    if(overlap_of[j] == n || table.overlaps[overlap_of[j]].first != i)
+    if (overlap_of[j] == n || table.overlaps[overlap_of[j]].first != i)
     {
       overlap_of[j] = table.overlaps.size();
       table.overlaps.push_back({i, j, 0, 0.});
@@ -164,19 +162,17 @@ inline Contingency_table make_contingency_table(const Mesh_geometry& geometry,
 inline double rand_error(const Contingency_table& table, Pair_count pair_count = Pair_count::exact)
 {
   const std::uint64_t n = table.number_of_faces;
-  if(pair_count == Pair_count::as_evaluator && n < 3)
+  if (pair_count == Pair_count::as_evaluator && n < 3)
     throw std::invalid_argument("The evaluator divides by zero for fewer than 3 faces: "
                                 "use Pair_count::exact.");
   const std::uint64_t pairs =
-    pair_count == Pair_count::exact ? internal::pairs_of(n) : n * ((n - 1) / 2);
-  if(pairs == 0)
-    return 0.; // a single face is in no pair to disagree about
+      pair_count == Pair_count::exact ? internal::pairs_of(n) : n * ((n - 1) / 2);
+  if (pairs == 0) return 0.; // a single face is in no pair to disagree about
   std::uint64_t together_in_one = 0;
-  for(const auto* sizes : {&table.first_sizes, &table.second_sizes})
-    for(const Segment_size& size : *sizes)
-      together_in_one += internal::pairs_of(size.count);
+  for (const auto* sizes : {&table.first_sizes, &table.second_sizes})
+    for (const Segment_size& size : *sizes) together_in_one += internal::pairs_of(size.count);
   std::uint64_t together_in_both = 0;
-  for(const Overlap& overlap : table.overlaps)
+  for (const Overlap& overlap : table.overlaps)
     together_in_both += internal::pairs_of(overlap.count);
   return static_cast<double>(together_in_one - 2 * together_in_both) / static_cast<double>(pairs);
 }
@@ -188,18 +184,18 @@ inline Hamming_distance hamming_distance(const Contingency_table& table)
 {
   std::vector<double> best_of_first(table.first_sizes.size(), 0.);
   std::vector<double> best_of_second(table.second_sizes.size(), 0.);
-  for(const Overlap& overlap : table.overlaps)
+  for (const Overlap& overlap : table.overlaps)
   {
     double& first = best_of_first[overlap.first];
     double& second = best_of_second[overlap.second];
     first = std::max(first, overlap.area);
     second = std::max(second, overlap.area);
   }
-  const auto uncovered = [&](const std::vector<Segment_size>& sizes,
-                             const std::vector<double>& best) {
+  const auto uncovered =
+      [&](const std::vector<Segment_size>& sizes, const std::vector<double>& best)
+  {
     double area = 0.;
-    for(std::size_t i = 0; i < sizes.size(); ++i)
-      area += sizes[i].area - best[i];
+    for (std::size_t i = 0; i < sizes.size(); ++i) area += sizes[i].area - best[i];
     return area / table.total_area;
   };
   Hamming_distance distance;
@@ -217,16 +213,16 @@ inline Hamming_distance hamming_distance(const Contingency_table& table)
 inline Consistency_error consistency_error(const Contingency_table& table)
 {
   std::array<double, 2> first{0., 0.}, second{0., 0.}, lesser{0., 0.}; // by count, by area
-  for(const Overlap& overlap : table.overlaps)
+  for (const Overlap& overlap : table.overlaps)
   {
     const double count = static_cast<double>(overlap.count);
     const Segment_size& a = table.first_sizes[overlap.first];
     const Segment_size& b = table.second_sizes[overlap.second];
     const std::array<std::array<double, 2>, 2> errors{
-      {{internal::outside(static_cast<double>(a.count), count),
-        internal::outside(static_cast<double>(b.count), count)},
-       {internal::outside(a.area, overlap.area), internal::outside(b.area, overlap.area)}}};
-    for(std::size_t i = 0; i < 2; ++i)
+        {{internal::outside(static_cast<double>(a.count), count),
+          internal::outside(static_cast<double>(b.count), count)},
+         {internal::outside(a.area, overlap.area), internal::outside(b.area, overlap.area)}}};
+    for (std::size_t i = 0; i < 2; ++i)
     {
       first[i] += count * errors[i][0];
       second[i] += count * errors[i][1];
@@ -239,20 +235,19 @@ inline Consistency_error consistency_error(const Contingency_table& table)
 }
 
 // None if either side has no cut, or the cuts can't reach each other along edges.
-inline std::optional<double> cut_discrepancy(const Mesh_geometry& geometry,
-                                             const Cut_field& first, const Cut_field& second)
+inline std::optional<double> cut_discrepancy(const Mesh_geometry& geometry, const Cut_field& first,
+                                             const Cut_field& second)
 {
   double sum = 0.;
   std::size_t number_of_vertices = 0;
-  for(const auto& [from, to] : {std::pair(&first, &second), std::pair(&second, &first)})
-    for(const std::size_t v : from->cut_vertices)
-      if(std::isfinite(to->distances[v]))
+  for (const auto& [from, to] : {std::pair(&first, &second), std::pair(&second, &first)})
+    for (const std::size_t v : from->cut_vertices)
+      if (std::isfinite(to->distances[v]))
       {
         sum += to->distances[v];
         ++number_of_vertices;
       }
-  if(number_of_vertices == 0)
-    return std::nullopt;
+  if (number_of_vertices == 0) return std::nullopt;
   return sum / static_cast<double>(number_of_vertices) / geometry.mean_radius;
 }
 

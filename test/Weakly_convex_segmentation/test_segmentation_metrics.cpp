@@ -23,10 +23,7 @@ using namespace Segmentation_metrics;
 
 constexpr double tolerance = 1e-12;
 
-bool is_near(double a, double b, double epsilon = tolerance)
-{
-  return std::abs(a - b) <= epsilon;
-}
+bool is_near(double a, double b, double epsilon = tolerance) { return std::abs(a - b) <= epsilon; }
 
 // Two rectangles side by side, 3 x 1 and 1 x 1, each of two triangles:
 //   3-----------4--5
@@ -44,7 +41,7 @@ Mesh make_strip()
 Mesh make_cube()
 {
   Mesh mesh;
-  for(int v = 0; v < 8; ++v)
+  for (int v = 0; v < 8; ++v)
     mesh.points.push_back({double(v & 1), double((v >> 1) & 1), double((v >> 2) & 1)});
   mesh.faces = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                 {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
@@ -55,11 +52,11 @@ Mesh make_cube()
 Mesh make_terrain(std::size_t n)
 {
   Mesh mesh;
-  for(std::size_t y = 0; y <= n; ++y)
-    for(std::size_t x = 0; x <= n; ++x)
+  for (std::size_t y = 0; y <= n; ++y)
+    for (std::size_t x = 0; x <= n; ++x)
       mesh.points.push_back({double(x), double(y), std::sin(1.3 * double(x * x + 2 * y))});
-  for(std::size_t y = 0; y < n; ++y)
-    for(std::size_t x = 0; x < n; ++x)
+  for (std::size_t y = 0; y < n; ++y)
+    for (std::size_t x = 0; x < n; ++x)
     {
       const std::size_t v = y * (n + 1) + x;
       mesh.faces.push_back({v, v + 1, v + n + 2});
@@ -71,7 +68,7 @@ Mesh make_terrain(std::size_t n)
 Segmentation make_random_segmentation(std::size_t n, int number_of_labels, std::mt19937& random)
 {
   Segmentation segmentation(n);
-  for(int& label : segmentation)
+  for (int& label : segmentation)
     label = static_cast<int>(random() % static_cast<unsigned>(number_of_labels)) * 7 - 5;
   return segmentation;
 }
@@ -96,8 +93,8 @@ void check_zero(const Scores& scores)
 double rand_error_by_pairs(const Segmentation& a, const Segmentation& b)
 {
   double disagreements = 0., pairs = 0.;
-  for(std::size_t f = 0; f < a.size(); ++f)
-    for(std::size_t g = 0; g < f; ++g)
+  for (std::size_t f = 0; f < a.size(); ++f)
+    for (std::size_t g = 0; g < f; ++g)
     {
       pairs += 1.;
       disagreements += (a[f] == a[g]) != (b[f] == b[g]) ? 1. : 0.;
@@ -110,8 +107,8 @@ double refinement_error(const Segmentation& a, const Segmentation& b, std::size_
                         const std::vector<double>& weights)
 {
   double segment = 0., difference = 0.;
-  for(std::size_t f = 0; f < a.size(); ++f)
-    if(a[f] == a[face])
+  for (std::size_t f = 0; f < a.size(); ++f)
+    if (a[f] == a[face])
     {
       segment += weights[f];
       difference += b[f] == b[face] ? 0. : weights[f];
@@ -124,7 +121,7 @@ std::array<double, 2> consistency_by_faces(const Segmentation& a, const Segmenta
                                            const std::vector<double>& weights)
 {
   double sum_a = 0., sum_b = 0., sum_lesser = 0.;
-  for(std::size_t f = 0; f < a.size(); ++f)
+  for (std::size_t f = 0; f < a.size(); ++f)
   {
     const double error_a = refinement_error(a, b, f, weights);
     const double error_b = refinement_error(b, a, f, weights);
@@ -178,8 +175,8 @@ BOOST_AUTO_TEST_CASE(pair_count_of_the_evaluator)
 {
   // 4 faces have 6 pairs, the evaluator counts 4 * (3 / 2) = 4.
   const Mesh_geometry geometry = compute_mesh_geometry(make_strip());
-  const Contingency_table table = make_contingency_table(
-    geometry, prepare(geometry, {0, 0, 1, 1}), prepare(geometry, {0, 1, 1, 1}));
+  const Contingency_table table = make_contingency_table(geometry, prepare(geometry, {0, 0, 1, 1}),
+                                                         prepare(geometry, {0, 1, 1, 1}));
   BOOST_TEST(is_near(rand_error(table), 3. / 6.));
   BOOST_TEST(is_near(rand_error(table, Pair_count::as_evaluator), 3. / 4.));
 }
@@ -190,7 +187,7 @@ BOOST_AUTO_TEST_CASE(evaluator_pair_count_is_exact_for_odd_numbers)
   mesh.faces.pop_back();
   const Mesh_geometry geometry = compute_mesh_geometry(mesh);
   const Contingency_table table =
-    make_contingency_table(geometry, prepare(geometry, {0, 1, 1}), prepare(geometry, {0, 0, 1}));
+      make_contingency_table(geometry, prepare(geometry, {0, 1, 1}), prepare(geometry, {0, 0, 1}));
   BOOST_TEST(is_near(rand_error(table), 2. / 3.));
   BOOST_TEST(rand_error(table) == rand_error(table, Pair_count::as_evaluator));
 }
@@ -236,10 +233,8 @@ BOOST_AUTO_TEST_CASE(cuts_that_cannot_reach_each_other)
   // Two strips without a common vertex, each cut on one side only.
   Mesh mesh = make_strip();
   const Mesh strip = mesh;
-  for(const Point& p : strip.points)
-    mesh.points.push_back({p[0], p[1], 5.});
-  for(const auto& [a, b, c] : strip.faces)
-    mesh.faces.push_back({a + 6, b + 6, c + 6});
+  for (const Point& p : strip.points) mesh.points.push_back({p[0], p[1], 5.});
+  for (const auto& [a, b, c] : strip.faces) mesh.faces.push_back({a + 6, b + 6, c + 6});
   const Segmentation first{0, 0, 1, 1, 0, 0, 0, 0};
   const Segmentation second{0, 0, 0, 0, 0, 0, 1, 1};
   BOOST_TEST(!score_labels(mesh, first, second).cut_discrepancy.has_value());
@@ -252,7 +247,7 @@ BOOST_AUTO_TEST_CASE(edge_of_three_faces)
                   {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
   const Mesh_geometry geometry = compute_mesh_geometry(mesh);
   const std::vector<std::size_t> edge{0, 1};
-  for(const Segmentation& labels : {Segmentation{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+  for (const Segmentation& labels : {Segmentation{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
     BOOST_TEST(prepare(geometry, labels).cuts.cut_vertices == edge,
                boost::test_tools::per_element());
 }
@@ -267,7 +262,7 @@ BOOST_AUTO_TEST_CASE(definitions_face_by_face)
   const Mesh mesh = make_terrain(6);
   const Mesh_geometry geometry = compute_mesh_geometry(mesh);
   const std::vector<double> ones(mesh.faces.size(), 1.);
-  for(const int number_of_labels : {1, 2, 5, 60})
+  for (const int number_of_labels : {1, 2, 5, 60})
   {
     const Segmentation a = make_random_segmentation(mesh.faces.size(), number_of_labels, random);
     const Segmentation b = make_random_segmentation(mesh.faces.size(), 4, random);
@@ -304,8 +299,7 @@ BOOST_AUTO_TEST_CASE(other_names_of_the_same_segments)
   const Mesh mesh = make_terrain(8);
   const Segmentation labels = make_random_segmentation(mesh.faces.size(), 6, random);
   Segmentation renamed = labels;
-  for(int& label : renamed)
-    label = 1000 - 3 * label;
+  for (int& label : renamed) label = 1000 - 3 * label;
   const Scores scores = score_labels(mesh, labels, renamed);
   check_zero(scores);
   BOOST_TEST(scores.cut_discrepancy.value() == 0.);
@@ -316,9 +310,8 @@ BOOST_AUTO_TEST_CASE(scale_does_not_matter)
   std::mt19937 random(4);
   const Mesh mesh = make_terrain(8);
   Mesh large = mesh;
-  for(Point& point : large.points)
-    for(double& coordinate : point)
-      coordinate = 1000. * coordinate + 50.;
+  for (Point& point : large.points)
+    for (double& coordinate : point) coordinate = 1000. * coordinate + 50.;
   Segmentation a(mesh.faces.size(), 0);
   std::fill_n(a.begin(), 40, 1);
   const Segmentation b = make_random_segmentation(mesh.faces.size(), 2, random);
@@ -333,8 +326,7 @@ BOOST_AUTO_TEST_CASE(a_segment_a_face_refines_everything)
 {
   const Mesh mesh = make_terrain(5);
   Segmentation singles(mesh.faces.size());
-  for(std::size_t f = 0; f < singles.size(); ++f)
-    singles[f] = static_cast<int>(f);
+  for (std::size_t f = 0; f < singles.size(); ++f) singles[f] = static_cast<int>(f);
   std::mt19937 random(5);
   const Segmentation other = make_random_segmentation(mesh.faces.size(), 4, random);
   const Scores scores = score_labels(mesh, singles, other);

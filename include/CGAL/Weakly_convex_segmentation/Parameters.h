@@ -166,22 +166,22 @@ struct Parameters
   /// `Diameter_rule::WHOLE_SHAPE`: rays a point; `[1, 256]`
   std::size_t diameter_rays = 16;
   /// a seam edge is concave from this angle on (`epsilon`); `[0, 180)`
-  double seam_concavity_tolerance = 9.;
+  double seam_concavity_tolerance = 10.2;
 
   /// @}
   /// \name Contraction with `Merging_rule::COST`
   /// @{
 
-  Merging_cost fusion_cost = {1., 0.581, 0.223, 0.646};   ///< patches into components
-  Merging_cost merging_cost = {0.111, 2.31, 1., 0.589};   ///< components into segments
+  Merging_cost fusion_cost = {1.333, 0.552, 0.145, 0.677};   ///< patches into components
+  Merging_cost merging_cost = {0.114, 3.05, 0.998, 0.584};   ///< components into segments
   /// Distance of signatures where one of the regions has no diameter; at least 0.
-  double missing_diameter_distance = 0.407;
+  double missing_diameter_distance = 0.302;
   /// Regions under this share of the points merge more easily: the cost of a pair is multiplied by
   /// `(share / small_region_share)^small_region_exponent` of the smaller one; `[0, 1]`.
   double small_region_share = 0.03;
-  double small_region_exponent = 0.082; ///< see `small_region_share`; at least 0
+  double small_region_exponent = 0.079; ///< see `small_region_share`; at least 0
   /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
-  double minimum_segment_share = 0.0115;
+  double minimum_segment_share = 0.0092;
   /// the contraction goes on until there are at most so many segments; 0: no limit
   std::size_t maximum_number_of_segments = 0;
 
@@ -217,6 +217,7 @@ inline Parameters Parameters::paper()
   p.merging = Merging_rule::PAPER;
   p.diameter = Diameter_rule::OWN_POINTS;
   p.refinement = Refinement_rule::ALPHA_EXPANSION;
+  p.seam_concavity_tolerance = 9.; // epsilon = 0.05 pi
   p.diameter_cone_angle = 20.;  // alpha = 2 pi / 18, read as the full opening
   p.minimum_segment_share = 0.;
   p.data_weight = 0.1;

@@ -209,28 +209,41 @@ private:
   float m_clearance;
 };
 
-/// Traversal that keeps the nearest disk which the line leaves through (normal along the line): the
-/// wall opposite to a point, seen from inside.
-class First_exit_traversal
+/// Where a ray met the surface.
+struct Ray_hit
+{
+  static constexpr Index none = static_cast<Index>(-1);
+  float distance = std::numeric_limits<float>::infinity();
+  Index disk = none;
+
+  bool found() const { return disk != none; }
+};
+
+/// Traversal that keeps the nearest disk which the line leaves the shape through (`side` 1: normal along
+/// the line) or enters it through (`side` -1).
+class First_hit_traversal
 {
   using Node = CGAL::AABB_node<Disk_tree_traits>;
   Line_of_sight& m_line;
-  const float m_clearance;
+  const float m_clearance, m_side;
   float m_nearest;
+  Index m_disk = Ray_hit::none;
 
 public:
   using Priority = float;
 
-  First_exit_traversal(Line_of_sight& line, const float clearance)
-      : m_line(line), m_clearance(clearance), m_nearest(line.limit)
+  First_hit_traversal(Line_of_sight& line, const float clearance, const float side)
+      : m_line(line), m_clearance(clearance), m_side(side), m_nearest(line.limit)
   {
   }
   bool go_further() const { return true; }
   void intersection(const Line_of_sight& line, const Disk_primitive& primitive)
   {
-    if (dot(primitive.disk.normal, line.direction) <= 0.f) return;
+    if (m_side * dot(primitive.disk.normal, line.direction) <= 0.f) return;
     const float t = crossing(line, primitive.disk, m_clearance);
-    if (t < m_nearest) m_line.limit = m_nearest = t;
+    if (t >= m_nearest) return;
+    m_line.limit = m_nearest = t;
+    m_disk = primitive.index;
   }
   bool do_intersect(const Line_of_sight& line, const Node& node) const
   {
@@ -243,6 +256,7 @@ public:
     return {t < m_nearest, -t};
   }
   float nearest() const { return m_nearest; }
+  Index disk() const { return m_disk; }
 };
 
 /// The disks of a shape, ready for lines of sight. Queries are thread safe.
@@ -266,18 +280,31 @@ public:
     return !m_tree.do_intersect(Line_of_sight(p, q));
   }
 
-  /// returns how far a ray from `p` along the unit vector `direction` gets before it leaves the shape
-  /// through a disk; infinity if it does not within `reach`.
-  float first_exit(const Vector3& p, const Vector3& direction, const float reach) const
+  /// returns where a ray from `p` along the unit vector `direction` first leaves the shape, within
+  /// `reach`.
+  Ray_hit first_exit(const Vector3& p, const Vector3& direction, const float reach) const
   {
-    Line_of_sight line(p, p + reach * direction);
-    First_exit_traversal traversal(line, m_clearance);
-    m_tree.traversal_with_priority(line, traversal);
-    return traversal.nearest() < 1.f ? reach * traversal.nearest()
-                                     : std::numeric_limits<float>::infinity();
+    return first_hit(p, direction, reach, 1.f);
+  }
+  /// returns where the ray first enters the shape, from outside.
+  Ray_hit first_entry(const Vector3& p, const Vector3& direction, const float reach) const
+  {
+    return first_hit(p, direction, reach, -1.f);
   }
 
 private:
+  Ray_hit first_hit(const Vector3& p, const Vector3& direction, const float reach,
+                    const float side) const
+  {
+    // twice as long as it counts: nothing is cleared at the end of a ray, which is on no surface
+    Line_of_sight line(p, p + 2.f * reach * direction);
+    line.limit = 0.5f;
+    First_hit_traversal traversal(line, m_clearance, side);
+    m_tree.traversal_with_priority(line, traversal);
+    if (traversal.disk() == Ray_hit::none) return {};
+    return {2.f * reach * traversal.nearest(), traversal.disk()};
+  }
+
   float m_clearance;
   Tree m_tree;
 };

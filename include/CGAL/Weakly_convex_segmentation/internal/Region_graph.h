@@ -7,7 +7,9 @@
 #include <CGAL/Weakly_convex_segmentation/Merge_tree.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Diameter_histogram.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Region_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
+#include <CGAL/Weakly_convex_segmentation/internal/volumetric_signatures.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,6 +35,9 @@ struct Region
   double size = 0.;         ///< number of points
   Vector3 center_sum;       ///< sum of the positions
   Diameter_histogram diameters;
+  Region_shape shape;              ///< only if the graph was asked for profiles
+  std::vector<Index> samples;      ///< diameter samples in the region, likewise
+  double inside_visibility = 0.;   ///< sum over pairs of its patches, weighted by their sizes
 };
 
 /// The border between two adjacent regions: counts of the neighbor edges across it (the seam sets of
@@ -45,7 +50,9 @@ struct Seam
   double opposite = 0.; ///< not concave, normals far apart: the edge joins two sides of a thin sheet
   double visibility_sum = 0.;  ///< sum of the visibility of pairs of patches times their sizes
   double visibility_least = 1.; ///< the least visibility of a pair
+  double visibility_low = 0.;   ///< weight of the pairs of visibility under 0.3
   bool visibility_known = false;
+  Seam_profile profile;         ///< only if the graph was asked for profiles
 
   void add_edges(const Seam& other)
   {
@@ -53,10 +60,12 @@ struct Seam
     convex += other.convex;
     concave += other.concave;
     opposite += other.opposite;
+    profile += other.profile;
   }
   void add_visibility(const Seam& other)
   {
     visibility_sum += other.visibility_sum;
+    visibility_low += other.visibility_low;
     visibility_least = (std::min)(visibility_least, other.visibility_least);
   }
   /// share of the edges that are concave, but for those through a thin sheet, in [0, 1]
@@ -97,6 +106,23 @@ public:
     return measured_seam(a, b).visibility_least;
   }
 
+  /// returns the weight share of the pairs of patches that hardly see each other, in [0, 1].
+  double blind_share(const int a, const int b)
+  {
+    return measured_seam(a, b).visibility_low / (m_regions[a].size * m_regions[b].size);
+  }
+
+  /// region of a patch
+  int region_of(int patch) const
+  {
+    while (m_parent[patch] != patch) patch = m_parent[patch];
+    return patch;
+  }
+
+  /// measures shapes and seams for the fitted cost; before any merge.
+  void add_profiles(const Oriented_points& points, const Neighbor_graph& graph,
+                    const Patches& patches, const std::vector<Diameter_sample>& samples);
+
   /// merges region `b` into region `a`, adjacent or not.
   void merge(const int a, const int b);
 
@@ -112,8 +138,10 @@ private:
   std::vector<double> m_patch_sizes;
   std::vector<std::map<int, Seam>> m_seams; // symmetric; the lower end's entry holds the visibility
   Patch_visibility& m_visibility;
+  std::vector<int> m_parent; // patches as a forest: the root names the region
   std::size_t m_count = 0;
   double m_total = 0.;
+  bool m_has_profiles = false;
 };
 
 inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_graph& graph,
@@ -124,6 +152,7 @@ inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_
 {
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
+    m_parent.push_back(static_cast<int>(p));
     m_regions[p].patches = {static_cast<int>(p)};
     m_regions[p].size = static_cast<double>(patches.members[p].size());
     m_patch_sizes.push_back(m_regions[p].size);
@@ -145,6 +174,28 @@ inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_
     }
 }
 
+inline void Region_graph::add_profiles(const Oriented_points& points, const Neighbor_graph& graph,
+                                       const Patches& patches,
+                                       const std::vector<Diameter_sample>& samples)
+{
+  m_has_profiles = true;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    m_regions[p].inside_visibility = m_patch_sizes[p] * m_patch_sizes[p]; // patches are near convex
+    for (const Index i : patches.members[p])
+      m_regions[p].shape.add(points.positions[i], points.normals[i], graph.spacing[i]);
+  }
+  for (std::size_t s = 0; s < samples.size(); ++s)
+    m_regions[patches.of_point[samples[s].point]].samples.push_back(static_cast<Index>(s));
+  const Smoothed_borders borders(points, graph, patches, {0.015f, 0.03f});
+  for (Index i = 0; i < graph.size(); ++i)
+    for (const Neighbor& edge : graph[i])
+    {
+      const int a = patches.of_point[i], b = patches.of_point[edge.point];
+      if (a != b) m_seams[a][b].profile.add_edge(borders, graph, i, edge);
+    }
+}
+
 inline Seam Region_graph::measure_visibility(const int a, const int b)
 {
   std::vector<std::pair<int, int>> pairs;
@@ -155,7 +206,9 @@ inline Seam Region_graph::measure_visibility(const int a, const int b)
   for (const auto& [p, q] : pairs)
   {
     const double v = m_visibility(p, q);
-    result.visibility_sum += v * m_patch_sizes[p] * m_patch_sizes[q];
+    const double weight = m_patch_sizes[p] * m_patch_sizes[q];
+    result.visibility_sum += v * weight;
+    if (v < 0.3) result.visibility_low += weight;
     result.visibility_least = (std::min)(result.visibility_least, v);
   }
   return result;
@@ -169,6 +222,7 @@ inline Seam& Region_graph::measured_seam(const int a, const int b)
     const Seam measured = measure_visibility(a, b);
     seam.visibility_sum = measured.visibility_sum;
     seam.visibility_least = measured.visibility_least;
+    seam.visibility_low = measured.visibility_low;
     seam.visibility_known = true;
   }
   return seam;
@@ -176,6 +230,11 @@ inline Seam& Region_graph::measured_seam(const int a, const int b)
 
 inline void Region_graph::merge(const int a, const int b)
 {
+  if (m_has_profiles)
+    m_regions[a].inside_visibility += m_regions[b].inside_visibility +
+                                      2. * (m_seams[a].count(b) > 0
+                                                ? measured_seam(a, b).visibility_sum
+                                                : measure_visibility(a, b).visibility_sum);
   std::map<int, Seam> merged; // seams of the union, by neighbor
   for (const int end : {a, b})
     for (const auto& entry : m_seams[end])
@@ -207,7 +266,10 @@ inline void Region_graph::merge(const int a, const int b)
   into.size += from.size;
   into.center_sum = into.center_sum + from.center_sum;
   into.diameters += from.diameters;
+  into.shape += from.shape;
+  into.samples.insert(into.samples.end(), from.samples.begin(), from.samples.end());
   from = Region();
+  m_parent[b] = a;
   --m_count;
 }
 

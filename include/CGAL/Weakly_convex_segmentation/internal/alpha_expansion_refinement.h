@@ -6,14 +6,12 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/border_refinement.h>
 
-#include <CGAL/boost/graph/alpha_expansion_graphcut.h>
-
-#include <boost/graph/adjacency_list.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -23,22 +21,91 @@
 // The angle beta of equation 5 is read as the exterior one between the tangent planes, pi for a flat
 // border and less for a concave one: the paper wants a smaller cost where the surface is concave, and
 // the plain angle between the normals would make flat cuts free and concave ones dear.
+//
+// The moves are those of Boykov, Veksler and Zabih 2001 over CGAL's max-flow. CGAL's own
+// alpha_expansion_graphcut() is what the tests compare with: with its max-flow tag, CGAL 5.5 stops after
+// the first label (clear() keeps the flow), and its Boost tags take tens of times longer.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-struct Expansion_vertex
+/// A labeling problem: costs of vertices by label and of edges between different labels (Potts).
+struct Labeling_problem
 {
-  std::size_t label = 0;
-  std::vector<double> label_costs;
+  struct Edge
+  {
+    std::size_t first, second;
+    double cost;
+  };
+  std::vector<std::vector<double>> label_costs; ///< of each vertex
+  std::vector<Edge> edges;
+
+  double energy(const std::vector<int>& labels) const
+  {
+    double sum = 0.;
+    for (std::size_t v = 0; v < labels.size(); ++v) sum += label_costs[v][labels[v]];
+    for (const Edge& e : edges)
+      if (labels[e.first] != labels[e.second]) sum += e.cost;
+    return sum;
+  }
 };
-struct Expansion_edge
+
+/// returns the best labeling in which each vertex keeps its label or takes `alpha`.
+inline std::vector<int> expansion_move(const Labeling_problem& problem,
+                                       const std::vector<int>& labels, const int alpha)
 {
-  double cost = 0.;
-};
-using Expansion_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
-                                              Expansion_vertex, Expansion_edge>;
+  ::MaxFlow::Graph flow; // vertices on the source's side keep their label
+  std::vector<::MaxFlow::Graph::node_id> nodes;
+  constexpr double fixed = 1e9;
+  for (std::size_t v = 0; v < labels.size(); ++v)
+  {
+    nodes.push_back(flow.add_node());
+    const double keep = labels[v] == alpha ? fixed : problem.label_costs[v][labels[v]];
+    flow.add_tweights(nodes[v], problem.label_costs[v][alpha], keep);
+  }
+  for (const Labeling_problem::Edge& e : problem.edges)
+  {
+    const bool first_is_alpha = labels[e.first] == alpha, second_is_alpha = labels[e.second] == alpha;
+    if (labels[e.first] == labels[e.second])
+    {
+      if (!first_is_alpha) flow.add_edge(nodes[e.first], nodes[e.second], e.cost, e.cost);
+      continue;
+    }
+    // different labels cost the same whether one or none of them becomes alpha
+    const auto between = flow.add_node();
+    flow.add_tweights(between, 0., e.cost);
+    flow.add_edge(between, nodes[e.first], first_is_alpha ? 0. : e.cost,
+                  first_is_alpha ? 0. : e.cost);
+    flow.add_edge(between, nodes[e.second], second_is_alpha ? 0. : e.cost,
+                  second_is_alpha ? 0. : e.cost);
+  }
+  flow.maxflow();
+  std::vector<int> moved = labels;
+  for (std::size_t v = 0; v < labels.size(); ++v)
+    if (flow.what_segment(nodes[v]) == ::MaxFlow::Graph::SINK) moved[v] = alpha;
+  return moved;
+}
+
+/// lowers the energy by expansion moves until none helps.
+inline void alpha_expansion(const Labeling_problem& problem, const int number_of_labels,
+                            std::vector<int>& labels)
+{
+  double least = problem.energy(labels);
+  for (bool improved = true; improved;)
+  {
+    improved = false;
+    for (int alpha = 0; alpha < number_of_labels; ++alpha)
+    {
+      std::vector<int> moved = expansion_move(problem, labels, alpha);
+      const double energy = problem.energy(moved);
+      if (!(energy < least - 1e-9 * (1. + least))) continue;
+      least = energy;
+      labels = std::move(moved);
+      improved = true;
+    }
+  }
+}
 
 /// returns beta / pi of equation 5, in [0, 2].
 inline double exterior_angle_cost(const Neighbor& edge)
@@ -92,14 +159,11 @@ label_distances(const Neighbor_graph& graph, const std::vector<int>& labels,
   return rows;
 }
 
-/// returns the band with its labels, costs and edges; `vertices` holds the point of each vertex.
-/// Neighbors of the band belong to the graph with their label fixed.
-inline Expansion_graph band_graph(const Neighbor_graph& graph, const std::vector<int>& labels,
-                                  const int number_of_labels, const Parameters& parameters,
-                                  std::vector<Index>& vertices)
+/// returns the points of the band and their neighbors, whose labels stay.
+inline std::vector<Index>
+points_near_borders(const Neighbor_graph& graph,
+                    const std::vector<std::vector<std::pair<int, float>>>& near_labels)
 {
-  const auto near_labels = label_distances(graph, labels, number_of_labels,
-                                           static_cast<float>(parameters.band_width));
   std::vector<char> inside(graph.size(), 0);
   for (Index i = 0; i < graph.size(); ++i)
     if (!near_labels[i].empty())
@@ -107,33 +171,40 @@ inline Expansion_graph band_graph(const Neighbor_graph& graph, const std::vector
       inside[i] = 1;
       for (const Neighbor& edge : graph[i]) inside[edge.point] = 1;
     }
-  std::vector<std::size_t> vertex_of(graph.size(), 0);
+  std::vector<Index> points;
   for (Index i = 0; i < graph.size(); ++i)
-    if (inside[i])
-    {
-      vertex_of[i] = vertices.size();
-      vertices.push_back(i);
-    }
-  double largest = 0.; // the denominator of equation 3
+    if (inside[i] != 0) points.push_back(i);
+  return points;
+}
+
+/// returns the costs of equations 3 to 5 for the given points.
+inline Labeling_problem
+band_problem(const Neighbor_graph& graph, const std::vector<int>& labels,
+             const std::vector<std::vector<std::pair<int, float>>>& near_labels,
+             const std::vector<Index>& points, const int number_of_labels,
+             const Parameters& parameters)
+{
+  constexpr std::size_t outside = static_cast<std::size_t>(-1);
+  constexpr double fixed = 1e4; // labels that are out of reach
+  double largest = 0.;          // the denominator of equation 3
   for (const auto& row : near_labels)
     for (const auto& entry : row) largest = (std::max)(largest, static_cast<double>(entry.second));
-  constexpr double fixed = 1e4;
-  Expansion_graph result(vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v)
+  std::vector<std::size_t> vertex_of(graph.size(), outside);
+  for (std::size_t v = 0; v < points.size(); ++v) vertex_of[points[v]] = v;
+  Labeling_problem problem;
+  for (const Index i : points)
   {
-    const Index i = vertices[v];
-    result[v].label = static_cast<std::size_t>(labels[i]);
-    result[v].label_costs.assign(static_cast<std::size_t>(number_of_labels), fixed);
-    result[v].label_costs[labels[i]] = 0.;
+    std::vector<double> costs(static_cast<std::size_t>(number_of_labels), fixed);
+    costs[labels[i]] = 0.;
     for (const auto& [label, distance] : near_labels[i])
-      result[v].label_costs[label] =
+      costs[label] =
           parameters.data_weight * std::pow(distance / largest, parameters.data_exponent);
+    problem.label_costs.push_back(std::move(costs));
     for (const Neighbor& edge : graph[i])
-      if (inside[edge.point] && edge.point > i)
-        boost::add_edge(v, vertex_of[edge.point], Expansion_edge{exterior_angle_cost(edge)},
-                        result);
+      if (edge.point > i && vertex_of[edge.point] != outside)
+        problem.edges.push_back({vertex_of[i], vertex_of[edge.point], exterior_angle_cost(edge)});
   }
-  return result;
+  return problem;
 }
 
 /// moves all borders at once by alpha expansion.
@@ -141,18 +212,15 @@ inline void expand_labels(const Neighbor_graph& graph, const Parameters& paramet
                           std::vector<int>& labels)
 {
   const int number_of_labels = 1 + *std::max_element(labels.begin(), labels.end());
-  if (number_of_labels < 2) return;
-  std::vector<Index> vertices;
-  Expansion_graph band = band_graph(graph, labels, number_of_labels, parameters, vertices);
-  if (vertices.empty()) return;
-  // not the MaxFlow tag: CGAL 5.5's stops after the first label, as its clear() keeps the flow
-  CGAL::alpha_expansion_graphcut(
-      band, boost::get(&Expansion_edge::cost, band), boost::get(&Expansion_vertex::label_costs, band),
-      boost::get(&Expansion_vertex::label, band),
-      CGAL::parameters::vertex_index_map(boost::get(boost::vertex_index, band))
-          .implementation_tag(CGAL::Alpha_expansion_boost_compressed_sparse_row_tag()));
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    labels[vertices[v]] = static_cast<int>(band[v].label);
+  const auto near_labels = label_distances(graph, labels, number_of_labels,
+                                           static_cast<float>(parameters.band_width));
+  const std::vector<Index> points = points_near_borders(graph, near_labels);
+  const Labeling_problem problem =
+      band_problem(graph, labels, near_labels, points, number_of_labels, parameters);
+  std::vector<int> band_labels;
+  for (const Index i : points) band_labels.push_back(labels[i]);
+  alpha_expansion(problem, number_of_labels, band_labels);
+  for (std::size_t v = 0; v < points.size(); ++v) labels[points[v]] = band_labels[v];
 }
 
 /// refines the borders by the rule that is asked for; returns the number of points that changed.

@@ -8,7 +8,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
 
-#include <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h>
+#include <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h> // for its MaxFlow::Graph
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/mst_orient_normals.h>
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
@@ -27,7 +27,7 @@ namespace internal {
 template <typename ConcurrencyTag>
 void estimate_normals(Raw_points& raw)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Kernel = CGAL::Simple_cartesian<double>;
   using Oriented = std::tuple<Kernel::Point_3, Kernel::Vector_3, std::size_t>;
   constexpr unsigned int neighbors = 12;
   std::vector<Oriented> points;

@@ -184,6 +184,7 @@ inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const P
     if (best.second < 0) continue;
     target[piece] = best.second;
     sizes[best.second] += sizes[piece];
+    for (const auto& [other, edges] : contacts[piece]) contacts[best.second][root(other)] += edges;
   }
   std::vector<int> number(count, -1), result(pieces.of_point.size());
   int next = 0;

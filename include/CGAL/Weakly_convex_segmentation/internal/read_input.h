@@ -216,13 +216,13 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
   return raw;
 }
 
+/// Ranges have begin(); triangle meshes have not.
 template <typename Input, typename = void>
-struct Is_face_graph : std::false_type
+struct Is_range : std::false_type
 {
 };
 template <typename Input>
-struct Is_face_graph<Input, std::void_t<typename boost::graph_traits<Input>::face_descriptor>>
-    : std::true_type
+struct Is_range<Input, std::void_t<decltype(std::declval<const Input&>().begin())>> : std::true_type
 {
 };
 template <typename Input>
@@ -240,12 +240,12 @@ Raw_points read_input(const Input& input, const NamedParameters& np)
 {
   if constexpr (Is_point_set<Input>::value)
     return read_point_set<ConcurrencyTag>(input);
-  else if constexpr (Is_face_graph<Input>::value)
+  else if constexpr (Is_range<Input>::value)
+    return read_points<ConcurrencyTag>(input, np);
+  else
     return read_mesh(input, CGAL::parameters::choose_parameter(
                                 CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
                                 get_const_property_map(CGAL::vertex_point, input)));
-  else
-    return read_points<ConcurrencyTag>(input, np);
 }
 
 /// writes the labels back through the caller's map.
@@ -253,13 +253,13 @@ template <typename Input, typename LabelMap>
 void write_labels(const Input& input, const std::vector<int>& labels, LabelMap& map)
 {
   auto label = labels.begin();
-  if constexpr (Is_face_graph<Input>::value)
+  if constexpr (Is_range<Input>::value)
   {
-    for (const auto f : faces(input)) put(map, f, *label++);
+    for (const auto& element : input) put(map, element, *label++);
   }
   else
   {
-    for (const auto& element : input) put(map, element, *label++);
+    for (const auto f : faces(input)) put(map, f, *label++);
   }
 }
 

@@ -31,20 +31,24 @@ struct Representatives
 /// returns the number of occupied cells of the octree over `points`, a level from the root.
 inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points)
 {
-  std::array<std::size_t, 22> starting{}; // cells whose first point differs first at that level
-  std::uint64_t previous = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  const auto cell = [](const float c)
+  { return spread_bits(static_cast<std::uint64_t>((c + 0.5f) * 2097151.f)); };
+  std::vector<std::uint64_t> keys(points.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
   {
-    const auto cell = [](const float c)
-    { return spread_bits(static_cast<std::uint64_t>((c + 0.5f) * 2097151.f)); };
     const Vector3& p = points.positions[i];
-    const std::uint64_t key = cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
+    keys[i] = cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
+  }
+  // the points are in the order of another cube, which would count a cell at each return to it
+  std::sort(keys.begin(), keys.end());
+  std::array<std::size_t, 22> starting{}; // cells whose first point differs first at that level
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
     int level = 0;
     if (i > 0)
-      for (level = 1; level < 22 && (key >> (63 - 3 * level)) == (previous >> (63 - 3 * level));)
+      for (level = 1; level < 22 && (keys[i] >> (63 - 3 * level)) == (keys[i - 1] >> (63 - 3 * level));)
         ++level;
     if (level < 22) ++starting[level];
-    previous = key;
   }
   for (int level = 1; level < 22; ++level) starting[level] += starting[level - 1];
   return starting;
@@ -59,13 +63,14 @@ inline float voxel_side(const Oriented_points& points, const std::size_t count)
   const double low = static_cast<double>(cells[level]);
   const double high = (std::max)(static_cast<double>(cells[level + 1]), low * 1.1);
   const double share = std::log(static_cast<double>(count) / low) / std::log(high / low);
-  return static_cast<float>(std::pow(2., -level - (std::max)(0., share)));
+  // not finer than 20 bits a coordinate, which the voxels' keys have room for
+  return static_cast<float>(std::pow(2., -(std::min)(20., level + (std::max)(0., share))));
 }
 
 /// thins the points to about `count` voxels. Opposite sides of a thin sheet in one voxel stay apart:
 /// points are grouped only with normals within 60 degrees, so that thin parts do not vanish.
 ///
-/// Complexity: linear.
+/// Complexity: linear but for the sort of one integer a point.
 inline Representatives thin_points(const Oriented_points& points, const std::size_t count)
 {
   struct Group
@@ -91,7 +96,8 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
     const std::uint64_t key = cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
     const auto slot = first_in_voxel.emplace(key, none).first;
     Index g = slot->second;
-    while (g != none && dot(groups[g].first_normal, n) < 0.5f) g = groups[g].next;
+    const bool has_normal = squared_length(n) > 0.f; // points without one join any group
+    while (g != none && has_normal && dot(groups[g].first_normal, n) < 0.5f) g = groups[g].next;
     if (g == none)
     {
       g = static_cast<Index>(groups.size());

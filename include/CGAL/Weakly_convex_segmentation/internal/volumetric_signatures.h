@@ -24,11 +24,14 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// A point with the diameter of the shape there; 0 if there is none.
+/// A point with the diameter of the shape there; 0 if there is none. The points that it faces along
+/// its normal, across the volume and across the space outside, tell of walls and cavities.
 struct Diameter_sample
 {
   Index point;
   float diameter;
+  Ray_hit inwards = {};
+  Ray_hit outwards = {};
 };
 
 /// returns the median of `values` of (length, weight), 0 if there are none.
@@ -85,10 +88,12 @@ inline std::vector<Diameter_sample> shape_diameters(const Sight& sight,
         cone_directions(inwards, half_angle, parameters.diameter_rays, directions);
         for (const Vector3& d : directions)
         {
-          const float exit = sight.tree().first_exit(points.positions[i], d, 1.f);
-          if (std::isfinite(exit)) lengths.push_back({exit, dot(d, inwards)});
+          const Ray_hit exit = sight.tree().first_exit(points.positions[i], d, 1.f);
+          if (exit.found()) lengths.push_back({exit.distance, dot(d, inwards)});
         }
-        samples[s] = {i, weighted_median(lengths)};
+        samples[s] = {i, weighted_median(lengths),
+                      sight.tree().first_exit(points.positions[i], inwards, 1.f),
+                      sight.tree().first_entry(points.positions[i], points.normals[i], 1.f)};
       },
       64);
   return samples;
@@ -122,7 +127,7 @@ inline std::vector<Diameter_sample> own_diameters(const Oriented_points& points,
             lengths.push_back({l, along / l});
           }
         }
-        samples[s] = {u, weighted_median(lengths)};
+        samples[s] = {u, weighted_median(lengths), {}, {}};
       },
       16);
   return samples;

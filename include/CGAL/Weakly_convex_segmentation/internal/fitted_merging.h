@@ -1,0 +1,61 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_FITTED_MERGING_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_FITTED_MERGING_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Boosted_trees.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Pair_features.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Region_graph.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+// The fitted preset's criterion for fusion and merging: the probability that a person would have two
+// points across a seam in one part, as boosted trees over the features of the pair.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// The cost of a pair: one minus the probability that people put it in one part.
+class Fitted_cost
+{
+public:
+  Fitted_cost(Pair_features& features, const Boosted_trees& trees)
+      : m_features(features), m_trees(trees)
+  {
+  }
+  double operator()(const int a, const int b) const
+  {
+    m_features.compute(a, b, m_values);
+    return 1. / (1. + std::exp(m_trees(m_values)));
+  }
+
+private:
+  Pair_features& m_features;
+  const Boosted_trees& m_trees;
+  mutable std::vector<float> m_values; // kept between calls, against an allocation each
+};
+
+/// contracts by ascending fitted cost up to a threshold.
+inline void contract_fitted(Region_graph& graph, const Fitted_cost& cost, const double threshold,
+                            const Contraction_log& log, const std::size_t fewest = 1)
+{
+  contract(
+      graph,
+      [&](const int a, const int b)
+      {
+        const double c = cost(a, b);
+        return c <= threshold ? c : std::numeric_limits<double>::infinity();
+      },
+      log, fewest);
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_FITTED_MERGING_H
