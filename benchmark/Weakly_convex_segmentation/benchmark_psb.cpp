@@ -93,7 +93,8 @@ WCS::Parameters preset(const std::string& name)
 {
   if (name == "default") return {};
   if (name == "paper") return WCS::Parameters::paper();
-  throw std::invalid_argument("there is no preset '" + name + "', use default or paper");
+  if (name == "fitted") return WCS::Parameters::fitted();
+  throw std::invalid_argument("there is no preset '" + name + "', use default, paper or fitted");
 }
 
 WCS::Level level(const std::string& name)
@@ -112,11 +113,11 @@ bool read_options(const int argc, char** argv, Options& options)
   std::vector<std::string> settings;
   po::options_description visible("benchmark_psb DATA_DIR [options]\n"
                                   "scores the parts of the benchmark's meshes against people's");
-  visible.add_options()("help", "print this")(
-      "ids", po::value(&ids), "only these models, as 1,3,21")(
-      "seg-dir", po::value(&options.seg_directory), "write the labels to DIR/N.seg")(
-      "csv", po::value(&options.csv), "write a row a model")(
-      "preset", po::value(&preset_name)->default_value("default"), "default or paper")(
+  visible.add_options()("help", "print this")("ids", po::value(&ids),
+                                              "only these models, as 1,3,21")(
+      "seg-dir", po::value(&options.seg_directory),
+      "write the labels to DIR/N.seg")("csv", po::value(&options.csv), "write a row a model")(
+      "preset", po::value(&preset_name)->default_value("default"), "default, paper or fitted")(
       "stage", po::value(&stage)->default_value("segments"), "patches, components or segments")(
       "set", po::value(&settings)->composing(), "NAME=VALUE of a parameter; may be repeated")(
       "points", po::bool_switch(&options.bare_points), "segment the bare face centroids")(
@@ -166,9 +167,8 @@ WCS::Result segment(const SM::Mesh& soup, const Options& options, Stage_clock& c
     if (mesh.add_face(Mesh::Vertex_index(static_cast<Mesh::size_type>(f[0])),
                       Mesh::Vertex_index(static_cast<Mesh::size_type>(f[1])),
                       Mesh::Vertex_index(static_cast<Mesh::size_type>(f[2]))) == Mesh::null_face())
-      return CGAL::weakly_convex_segmentation_of_soup(
-          mesh.points(), soup.faces, options.parameters,
-          CGAL::parameters::visitor(std::ref(clock)));
+      return CGAL::weakly_convex_segmentation_of_soup(mesh.points(), soup.faces, options.parameters,
+                                                      CGAL::parameters::visitor(std::ref(clock)));
   if (!options.bare_points)
     return WCS::Segmenter<>(mesh, options.parameters, CGAL::parameters::visitor(std::ref(clock)))
         .segment(options.parameters);
@@ -211,8 +211,7 @@ Row run_model(const int number, const Options& options)
   {
     std::ofstream out(options.seg_directory / (std::to_string(number) + ".seg"));
     for (const int l : labels) out << l << '\n';
-    if (!out.flush())
-      throw std::runtime_error("can't write to " + options.seg_directory.string());
+    if (!out.flush()) throw std::runtime_error("can't write to " + options.seg_directory.string());
   }
   return row;
 }
@@ -225,8 +224,7 @@ std::vector<Row> run_models(const Options& options)
   std::string failure;
   const auto work = [&]
   {
-    for (std::size_t i = next++; i < rows.size(); i = next++)
-      try
+    for (std::size_t i = next++; i < rows.size(); i = next++) try
       {
         rows[i] = run_model(options.models[i], options);
       }
@@ -321,8 +319,7 @@ int main(int argc, char** argv)
   {
     Options options;
     if (!read_options(argc, argv, options)) return 0;
-    if (!options.seg_directory.empty())
-      std::filesystem::create_directories(options.seg_directory);
+    if (!options.seg_directory.empty()) std::filesystem::create_directories(options.seg_directory);
     const std::vector<Row> rows = run_models(options);
     if (!options.csv.empty()) write_csv(rows, options.csv);
     print_summary(rows, options);

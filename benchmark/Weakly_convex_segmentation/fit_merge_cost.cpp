@@ -99,9 +99,9 @@ struct Trial
   WCS::Merge_tree tree;
 
   Trial(Patch_scores::Model& m, const WCS::Parameters& parameters)
-      : model(m),
-        graph(m.shape->points(), m.shape->graph, m.shape->patches, *m.shape->visibility, parameters),
-        features(graph, m.shape->patches, m.shape->diameters), tree(m.shape->patches.size())
+    : model(m),
+      graph(m.shape->points(), m.shape->graph, m.shape->patches, *m.shape->visibility, parameters),
+      features(graph, m.shape->patches, m.shape->diameters), tree(m.shape->patches.size())
   {
     WCS::internal::set_signatures(graph, m.shape->patches, m.shape->diameters,
                                   WCS::internal::Histogram_scale());
@@ -198,9 +198,8 @@ public:
                 << std::flush;
       if (variant == Variant::MESH)
         for (const auto& [category, values] : errors)
-          std::cout << "  " << SM::category_names()[category] << ' '
-                    << mean_of_means({{0, values}}) << ' '
-                    << mean_of_means({{0, default_errors[category]}}) << '\n';
+          std::cout << "  " << SM::category_names()[category] << ' ' << mean_of_means({{0, values}})
+                    << ' ' << mean_of_means({{0, default_errors[category]}}) << '\n';
     }
   }
 

@@ -85,6 +85,8 @@ inline std::map<std::string, Setter> setters()
       {"small_region_share", setter(&P::small_region_share)},
       {"small_region_exponent", setter(&P::small_region_exponent)},
       {"minimum_segment_share", setter(&P::minimum_segment_share)},
+      {"fitted_fusion_threshold", setter(&P::fitted_fusion_threshold)},
+      {"fitted_merging_threshold", setter(&P::fitted_merging_threshold)},
       {"maximum_number_of_segments", setter(&P::maximum_number_of_segments)},
       {"band_width", setter(&P::band_width)},
       {"data_exponent", setter(&P::data_exponent)},
@@ -103,7 +105,8 @@ inline void set_parameter(Parameters& parameters, const std::string& assignment)
   const std::size_t equals = assignment.find('=');
   const auto it = known.find(assignment.substr(0, equals));
   if (equals == std::string::npos || it == known.end())
-    throw std::invalid_argument("'" + assignment + "' does not set a parameter; give NAME=VALUE "
+    throw std::invalid_argument("'" + assignment +
+                                "' does not set a parameter; give NAME=VALUE "
                                 "with a name from Parameters.h");
   std::size_t used = 0;
   const std::string value = assignment.substr(equals + 1);

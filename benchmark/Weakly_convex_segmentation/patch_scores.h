@@ -41,18 +41,14 @@ struct Model
   double faces = 0.;
 };
 
-inline double pairs(const double n)
-{
-  return 0.5 * n * (n - 1.);
-}
+inline double pairs(const double n) { return 0.5 * n * (n - 1.); }
 
 inline WCS::internal::Raw_points read_raw(const SM::Mesh& mesh)
 {
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   for (const auto& p : mesh.points) points.emplace_back(p[0], p[1], p[2]);
   return WCS::internal::read_soup(
-      points, mesh.faces,
-      CGAL::Identity_property_map<CGAL::Simple_cartesian<double>::Point_3>());
+      points, mesh.faces, CGAL::Identity_property_map<CGAL::Simple_cartesian<double>::Point_3>());
 }
 
 /// What a model is turned into before it is segmented.
@@ -78,8 +74,8 @@ inline std::vector<char> seen_faces(const WCS::internal::Raw_points& raw, const 
   std::normal_distribution<float> normal;
   for (int view = 0; view < views; ++view)
   {
-    const auto camera = 2.f * WCS::internal::normalized(
-                                  {normal(random), normal(random), 0.5f * normal(random)});
+    const auto camera =
+        2.f * WCS::internal::normalized({normal(random), normal(random), 0.5f * normal(random)});
     for (std::size_t i = 0; i < points.size(); ++i)
       if (dot(points.normals[i], camera - points.positions[i]) > 0.f &&
           sight.tree().unoccluded(points.positions[i], camera))

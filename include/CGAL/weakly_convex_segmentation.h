@@ -79,10 +79,10 @@ namespace CGAL {
 /// `Parameters::number_of_representatives` points. The function is reentrant.
 template <typename ConcurrencyTag = Sequential_tag, typename Input, typename LabelMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Weakly_convex_segmentation::Result weakly_convex_segmentation(
-    const Input& input, LabelMap label_map,
-    const Weakly_convex_segmentation::Parameters& parameters = {},
-    const NamedParameters& np = parameters::default_values())
+Weakly_convex_segmentation::Result
+weakly_convex_segmentation(const Input& input, LabelMap label_map,
+                           const Weakly_convex_segmentation::Parameters& parameters = {},
+                           const NamedParameters& np = parameters::default_values())
 {
   using Segmenter = Weakly_convex_segmentation::Segmenter<ConcurrencyTag>;
   Segmenter segmenter(input, parameters, np);
@@ -102,10 +102,10 @@ Weakly_convex_segmentation::Result weakly_convex_segmentation(
 ///   3 corners or with an index out of range
 template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename PolygonRange,
           typename NamedParameters = parameters::Default_named_parameters>
-Weakly_convex_segmentation::Result weakly_convex_segmentation_of_soup(
-    const PointRange& points, const PolygonRange& polygons,
-    const Weakly_convex_segmentation::Parameters& parameters = {},
-    const NamedParameters& np = parameters::default_values())
+Weakly_convex_segmentation::Result
+weakly_convex_segmentation_of_soup(const PointRange& points, const PolygonRange& polygons,
+                                   const Weakly_convex_segmentation::Parameters& parameters = {},
+                                   const NamedParameters& np = parameters::default_values())
 {
   Weakly_convex_segmentation::Segmenter<ConcurrencyTag> segmenter(points, polygons, parameters, np);
   return segmenter.segment(parameters);

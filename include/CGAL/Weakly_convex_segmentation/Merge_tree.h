@@ -32,7 +32,8 @@ public:
   };
 
   Merge_tree() = default;
-  explicit Merge_tree(const std::size_t number_of_patches) : m_number_of_patches(number_of_patches) {}
+  explicit Merge_tree(const std::size_t number_of_patches) : m_number_of_patches(number_of_patches)
+  {}
 
   std::size_t number_of_patches() const { return m_number_of_patches; } ///< number of leaves
   const std::vector<Merge>& merges() const { return m_merges; }         ///< all merges, in order
@@ -93,8 +94,7 @@ inline std::vector<int> Merge_tree::labels_after(const std::size_t number_of_mer
     return i;
   };
   const std::size_t last = (std::min)(number_of_merges, m_merges.size());
-  for (std::size_t i = 0; i < last; ++i)
-    parent[root(m_merges[i].second)] = root(m_merges[i].first);
+  for (std::size_t i = 0; i < last; ++i) parent[root(m_merges[i].second)] = root(m_merges[i].first);
 
   std::vector<int> label_of_root(m_number_of_patches, -1), labels(m_number_of_patches);
   int next = 0;

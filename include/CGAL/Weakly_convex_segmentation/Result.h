@@ -16,9 +16,9 @@ namespace Weakly_convex_segmentation {
 /// What is known of one segment.
 struct Segment
 {
-  std::size_t size = 0;          ///< number of input elements (points or faces) with its label
-  double convexity_rank = 0.;    ///< share of the pairs of its points in line of sight, `[0, 1]`
-  double diameter = 0.;          ///< median shape diameter in units of the input; 0: none measured
+  std::size_t size = 0;       ///< number of input elements (points or faces) with its label
+  double convexity_rank = 0.; ///< share of the pairs of its points in line of sight, `[0, 1]`
+  double diameter = 0.;       ///< median shape diameter in units of the input; 0: none measured
   std::vector<std::size_t> neighbors; ///< labels of the adjacent segments, ascending
 };
 
@@ -28,10 +28,10 @@ struct Segment
 /// Labels are numbered from 0 without gaps, in the order of the first element in which they occur.
 struct Result
 {
-  std::vector<int> labels;            ///< label of each input element, in input order
-  std::vector<Segment> segments;      ///< one for each label
-  std::vector<int> patches;           ///< patch of each input element: a leaf of `merge_tree`
-  Merge_tree merge_tree;              ///< how the patches were merged, down to one segment
+  std::vector<int> labels;              ///< label of each input element, in input order
+  std::vector<Segment> segments;        ///< one for each label
+  std::vector<int> patches;             ///< patch of each input element: a leaf of `merge_tree`
+  Merge_tree merge_tree;                ///< how the patches were merged, down to one segment
   std::size_t number_of_components = 0; ///< number of weakly convex components before merging
 
   /// number of segments

@@ -37,21 +37,19 @@ public:
   template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
   explicit Segmenter(const Input& input, const Parameters& parameters = {},
                      const NamedParameters& np = parameters::default_values())
-      : Segmenter(internal::read_input<ConcurrencyTag>(input, np), parameters,
-                  internal::read_control<ConcurrencyTag>(np), internal::read_seed(np, parameters))
-  {
-  }
+    : Segmenter(internal::read_input<ConcurrencyTag>(input, np), parameters,
+                internal::read_control<ConcurrencyTag>(np), internal::read_seed(np, parameters))
+  {}
 
   /// reads a polygon soup, see `weakly_convex_segmentation_of_soup()`.
   template <typename PointRange, typename PolygonRange, typename NamedParameters,
             typename = typename PolygonRange::const_iterator>
   Segmenter(const PointRange& points, const PolygonRange& polygons, const Parameters& parameters,
             const NamedParameters& np)
-      : Segmenter(internal::read_soup(points, polygons, internal::point_map_of(points, np)),
-                  parameters, internal::read_control<ConcurrencyTag>(np),
-                  internal::read_seed(np, parameters))
-  {
-  }
+    : Segmenter(internal::read_soup(points, polygons, internal::point_map_of(points, np)),
+                parameters, internal::read_control<ConcurrencyTag>(np),
+                internal::read_seed(np, parameters))
+  {}
 
   /// segments with the given rules and thresholds. What the constructor has used (number of neighbors,
   /// representatives and patches, visibility, diameters, seed) stays as it was given there.
@@ -66,14 +64,21 @@ public:
 
   /// refines the borders of another cut through a merge tree of this shape: the labels of its patches
   /// come from `Merge_tree::labels_for()` and the like.
-  /// \throws std::invalid_argument if there is not one label a patch
+  /// \throws std::invalid_argument if there is not one label a patch, from 0 to their number, or if a
+  ///   parameter is out of its range
   Result refine(const Merge_tree& tree, const std::vector<int>& patch_labels,
                 const Parameters& parameters)
   {
+    parameters.check();
     if (patch_labels.size() != m_shape->patches.size())
       throw std::invalid_argument("there are " + std::to_string(patch_labels.size()) +
                                   " patch labels for " + std::to_string(m_shape->patches.size()) +
                                   " patches");
+    for (const int label : patch_labels)
+      if (label < 0 || static_cast<std::size_t>(label) >= m_shape->patches.size())
+        throw std::invalid_argument("the patch label " + std::to_string(label) +
+                                    " is not from 0 to " +
+                                    std::to_string(m_shape->patches.size() - 1));
     return internal::finish_segmentation(*m_shape, tree, patch_labels, parameters, m_control);
   }
 
@@ -82,12 +87,18 @@ public:
 
   /// returns the convexity rank \f$ |LoS(S)| / |S|^2 \f$ (equation 1) of a subset of the input.
   /// \param subset indices of input elements, in input order
-  /// \param sample_size at most so many elements, spread over the subset, are tested in pairs
-  /// \param tolerance degrees by which a line of sight may leave the shape at its ends
+  /// \param sample_size at most so many elements, spread over the subset, are tested in pairs; at
+  ///   least 1
+  /// \param tolerance degrees by which a line of sight may leave the shape at its ends; 0 to 90
   /// \returns a value in `[0, 1]`; 1 for at most one element
   double convexity_rank(const std::vector<std::size_t>& subset, const std::size_t sample_size = 100,
                         const double tolerance = 5.) const
   {
+    if (sample_size == 0)
+      throw std::invalid_argument("the convexity rank needs a sample of at least 1 element");
+    if (!(tolerance >= 0. && tolerance <= 90.))
+      throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
+                                  " degrees, give a value from 0 to 90");
     const std::size_t n = m_shape->input.size();
     std::vector<std::size_t> rank(n);
     for (std::size_t i = 0; i < n; ++i) rank[m_shape->input.elements[i]] = i;
@@ -107,7 +118,7 @@ public:
 private:
   Segmenter(const internal::Raw_points& raw, Parameters parameters, internal::Run_control control,
             const unsigned int seed)
-      : m_control(std::move(control))
+    : m_control(std::move(control))
   {
     parameters.seed = seed;
     parameters.check();

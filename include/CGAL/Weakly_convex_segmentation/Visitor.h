@@ -29,7 +29,7 @@ enum class Stage
 /// returns a lower-case name of the stage.
 inline const char* stage_name(const Stage stage)
 {
-  const char* const names[] = {"sampling", "neighbors", "patches", "visibility", "signatures",
+  const char* const names[] = {"sampling", "neighbors", "patches",    "visibility", "signatures",
                                "fusion",   "merging",   "refinement", "statistics"};
   return names[static_cast<int>(stage)];
 }

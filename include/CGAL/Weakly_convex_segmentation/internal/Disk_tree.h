@@ -105,9 +105,8 @@ struct Disk_primitive
 
   /// The tree makes its primitives from iterators; the index is the distance to the first disk.
   Disk_primitive(const std::vector<Disk>::const_iterator it, const Disk* first)
-      : disk(*it), index(static_cast<Index>(&*it - first))
-  {
-  }
+    : disk(*it), index(static_cast<Index>(&*it - first))
+  {}
   Id id() const { return index; }
   Datum_reference datum() const { return disk; }
   Point_reference reference_point() const
@@ -233,9 +232,8 @@ public:
   using Priority = float;
 
   First_hit_traversal(Line_of_sight& line, const float clearance, const float side)
-      : m_line(line), m_clearance(clearance), m_side(side), m_nearest(line.limit)
-  {
-  }
+    : m_line(line), m_clearance(clearance), m_side(side), m_nearest(line.limit)
+  {}
   bool go_further() const { return true; }
   void intersection(const Line_of_sight& line, const Disk_primitive& primitive)
   {
@@ -266,7 +264,7 @@ class Disk_tree
 
 public:
   Disk_tree(const std::vector<Disk>& disks, const float clearance)
-      : m_clearance(clearance), m_tree(Disk_tree_traits(clearance))
+    : m_clearance(clearance), m_tree(Disk_tree_traits(clearance))
   {
     m_tree.insert(disks.begin(), disks.end(), disks.data());
     m_tree.build();

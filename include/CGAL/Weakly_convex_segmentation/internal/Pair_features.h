@@ -34,33 +34,71 @@ class Pair_features
 public:
   static const std::vector<Feature_name>& names()
   {
-    static const std::vector<Feature_name> list = {
-        {"visibility", 1},        {"blind_share", -1},     {"inside_a", 0},
-        {"inside_b", 0},          {"inside_u", 1},         {"visibility_drop", 1},
-        {"edge_concave", -1},     {"edge_positive", -1},   {"edge_signed", -1},
-        {"near_signed", -1},      {"near_positive", -1},   {"near_over_15", -1},
-        {"near_over_30", -1},     {"near_under_20", 0},    {"far_signed", -1},
-        {"far_positive", -1},     {"far_over_15", -1},     {"far_over_30", -1},
-        {"far_under_20", 0},      {"far_minus_near", 0},   {"emd", -1},
-        {"diameter_step", -1},    {"diameter_a", 0},       {"diameter_b", 0},
-        {"diameter_spread_a", 0}, {"diameter_spread_b", 0}, {"diameter_spread_u", 0},
-        {"share_a", -1},          {"share_b", 0},          {"seam_to_size_a", 1},
-        {"seam_to_size_b", 1},    {"seam_to_border_a", 1}, {"seam_to_border_b", 1},
-        {"seam_to_diameter", 0},  {"middle_a", 0},         {"middle_b", 0},
-        {"middle_u", 0},          {"short_a", 0},          {"short_b", 0},
-        {"short_u", 0},           {"normal_mean_a", 0},    {"normal_mean_b", 0},
-        {"normal_mean_u", 0},     {"normal_least_a", 0},   {"normal_least_b", 0},
-        {"normal_least_u", 0},    {"center_distance", 0},  {"long_growth", 0},
-        {"inward_ab", 1},         {"inward_ba", 1},        {"outward_ab", 0},
-        {"outward_ba", 0},        {"wall_ab", 1},          {"wall_ba", 1},
-        {"thin_a", 0},            {"thin_b", 0},           {"opposite", 0},
-        {"whole_diameter", 0},    {"whole_thin", 0}};
+    static const std::vector<Feature_name> list = {{"visibility", 1},
+                                                   {"blind_share", -1},
+                                                   {"inside_a", 0},
+                                                   {"inside_b", 0},
+                                                   {"inside_u", 1},
+                                                   {"visibility_drop", 1},
+                                                   {"edge_concave", -1},
+                                                   {"edge_positive", -1},
+                                                   {"edge_signed", -1},
+                                                   {"near_signed", -1},
+                                                   {"near_positive", -1},
+                                                   {"near_over_15", -1},
+                                                   {"near_over_30", -1},
+                                                   {"near_under_20", 0},
+                                                   {"far_signed", -1},
+                                                   {"far_positive", -1},
+                                                   {"far_over_15", -1},
+                                                   {"far_over_30", -1},
+                                                   {"far_under_20", 0},
+                                                   {"far_minus_near", 0},
+                                                   {"emd", -1},
+                                                   {"diameter_step", -1},
+                                                   {"diameter_a", 0},
+                                                   {"diameter_b", 0},
+                                                   {"diameter_spread_a", 0},
+                                                   {"diameter_spread_b", 0},
+                                                   {"diameter_spread_u", 0},
+                                                   {"share_a", -1},
+                                                   {"share_b", 0},
+                                                   {"seam_to_size_a", 1},
+                                                   {"seam_to_size_b", 1},
+                                                   {"seam_to_border_a", 1},
+                                                   {"seam_to_border_b", 1},
+                                                   {"seam_to_diameter", 0},
+                                                   {"middle_a", 0},
+                                                   {"middle_b", 0},
+                                                   {"middle_u", 0},
+                                                   {"short_a", 0},
+                                                   {"short_b", 0},
+                                                   {"short_u", 0},
+                                                   {"normal_mean_a", 0},
+                                                   {"normal_mean_b", 0},
+                                                   {"normal_mean_u", 0},
+                                                   {"normal_least_a", 0},
+                                                   {"normal_least_b", 0},
+                                                   {"normal_least_u", 0},
+                                                   {"center_distance", 0},
+                                                   {"long_growth", 0},
+                                                   {"inward_ab", 1},
+                                                   {"inward_ba", 1},
+                                                   {"outward_ab", 0},
+                                                   {"outward_ba", 0},
+                                                   {"wall_ab", 1},
+                                                   {"wall_ba", 1},
+                                                   {"thin_a", 0},
+                                                   {"thin_b", 0},
+                                                   {"opposite", 0},
+                                                   {"whole_diameter", 0},
+                                                   {"whole_thin", 0}};
     return list;
   }
 
   Pair_features(Region_graph& graph, const Patches& patches,
                 const std::vector<Diameter_sample>& samples)
-      : m_graph(graph), m_patches(patches), m_samples(samples)
+    : m_graph(graph), m_patches(patches), m_samples(samples)
   {
     double measured = 0., sum = 0.;
     for (const Diameter_sample& s : samples)
@@ -161,9 +199,9 @@ inline void Pair_features::add_visibility(const int a, const int b, std::vector<
   const double inside_a = first.inside_visibility / (first.size * first.size);
   const double inside_b = second.inside_visibility / (second.size * second.size);
   const double size = first.size + second.size;
-  const double inside_u = (first.inside_visibility + second.inside_visibility +
-                           2. * v * first.size * second.size) /
-                          (size * size);
+  const double inside_u =
+      (first.inside_visibility + second.inside_visibility + 2. * v * first.size * second.size) /
+      (size * size);
   for (const double value : {v, m_graph.blind_share(a, b), inside_a, inside_b, inside_u,
                              v - (std::min)(inside_a, inside_b)})
     add_feature(f, value);
@@ -177,13 +215,15 @@ inline void Pair_features::add_concavity(const Seam& seam, std::vector<float>& f
   for (const auto& at : seam.profile.radii)
     for (const double sum : {at.signed_sum, at.positive_sum, at.over_15, at.over_30, at.under_20})
       add_feature(f, sum / seam.edges);
-  add_feature(f, (seam.profile.radii[1].signed_sum - seam.profile.radii[0].signed_sum) / seam.edges);
+  add_feature(f,
+              (seam.profile.radii[1].signed_sum - seam.profile.radii[0].signed_sum) / seam.edges);
 }
 
 inline void Pair_features::add_diameters(const int a, const int b, const Sight_counts& of_a,
                                          const Sight_counts& of_b, std::vector<float>& f) const
 {
-  const Diameter_histogram &first = m_graph.region(a).diameters, &second = m_graph.region(b).diameters;
+  const Diameter_histogram &first = m_graph.region(a).diameters,
+                           &second = m_graph.region(b).diameters;
   const bool both = !first.empty() && !second.empty();
   Sight_counts of_u = of_a;
   of_u.measured += of_b.measured;
@@ -191,8 +231,7 @@ inline void Pair_features::add_diameters(const int a, const int b, const Sight_c
   of_u.squares += of_b.squares;
   add_feature(f, both ? earth_movers_distance(first, second, Histogram_scale()) : missing());
   add_feature(f, both ? std::abs(of_a.mean() - of_b.mean()) : missing());
-  for (const double value :
-       {of_a.mean(), of_b.mean(), of_a.spread(), of_b.spread(), of_u.spread()})
+  for (const double value : {of_a.mean(), of_b.mean(), of_a.spread(), of_b.spread(), of_u.spread()})
     add_feature(f, value);
 }
 

@@ -35,9 +35,9 @@ struct Region
   double size = 0.;         ///< number of points
   Vector3 center_sum;       ///< sum of the positions
   Diameter_histogram diameters;
-  Region_shape shape;              ///< only if the graph was asked for profiles
-  std::vector<Index> samples;      ///< diameter samples in the region, likewise
-  double inside_visibility = 0.;   ///< sum over pairs of its patches, weighted by their sizes
+  Region_shape shape;            ///< only if the graph was asked for profiles
+  std::vector<Index> samples;    ///< diameter samples in the region, likewise
+  double inside_visibility = 0.; ///< sum over pairs of its patches, weighted by their sizes
 };
 
 /// The border between two adjacent regions: counts of the neighbor edges across it (the seam sets of
@@ -45,14 +45,15 @@ struct Region
 struct Seam
 {
   double edges = 0.;
-  double convex = 0.;   ///< CVXSeam: convex or flat
-  double concave = 0.;  ///< CNCSeam: concave by more than the tolerance
-  double opposite = 0.; ///< not concave, normals far apart: the edge joins two sides of a thin sheet
-  double visibility_sum = 0.;  ///< sum of the visibility of pairs of patches times their sizes
+  double convex = 0.;  ///< CVXSeam: convex or flat
+  double concave = 0.; ///< CNCSeam: concave by more than the tolerance
+  double opposite =
+      0.; ///< not concave, normals far apart: the edge joins two sides of a thin sheet
+  double visibility_sum = 0.;   ///< sum of the visibility of pairs of patches times their sizes
   double visibility_least = 1.; ///< the least visibility of a pair
   double visibility_low = 0.;   ///< weight of the pairs of visibility under 0.3
   bool visibility_known = false;
-  Seam_profile profile;         ///< only if the graph was asked for profiles
+  Seam_profile profile; ///< only if the graph was asked for profiles
 
   void add_edges(const Seam& other)
   {
@@ -101,10 +102,7 @@ public:
     return measured_seam(a, b).visibility_sum / (m_regions[a].size * m_regions[b].size);
   }
   /// returns the least visibility of a pair of patches of two adjacent regions, in [0, 1].
-  double least_visibility(const int a, const int b)
-  {
-    return measured_seam(a, b).visibility_least;
-  }
+  double least_visibility(const int a, const int b) { return measured_seam(a, b).visibility_least; }
 
   /// returns the weight share of the pairs of patches that hardly see each other, in [0, 1].
   double blind_share(const int a, const int b)
@@ -147,8 +145,8 @@ private:
 inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_graph& graph,
                                   const Patches& patches, Patch_visibility& visibility,
                                   const Parameters& parameters)
-    : m_regions(patches.size()), m_seams(patches.size()), m_visibility(visibility),
-      m_count(patches.size()), m_total(static_cast<double>(points.size()))
+  : m_regions(patches.size()), m_seams(patches.size()), m_visibility(visibility),
+    m_count(patches.size()), m_total(static_cast<double>(points.size()))
 {
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
@@ -231,10 +229,10 @@ inline Seam& Region_graph::measured_seam(const int a, const int b)
 inline void Region_graph::merge(const int a, const int b)
 {
   if (m_has_profiles)
-    m_regions[a].inside_visibility += m_regions[b].inside_visibility +
-                                      2. * (m_seams[a].count(b) > 0
-                                                ? measured_seam(a, b).visibility_sum
-                                                : measure_visibility(a, b).visibility_sum);
+    m_regions[a].inside_visibility +=
+        m_regions[b].inside_visibility + 2. * (m_seams[a].count(b) > 0
+                                                   ? measured_seam(a, b).visibility_sum
+                                                   : measure_visibility(a, b).visibility_sum);
   std::map<int, Seam> merged; // seams of the union, by neighbor
   for (const int end : {a, b})
     for (const auto& entry : m_seams[end])

@@ -60,7 +60,7 @@ struct Seam_profile
   static constexpr std::size_t number_of_radii = 2;
   struct At_radius
   {
-    double signed_sum = 0., positive_sum = 0.;       ///< radians
+    double signed_sum = 0., positive_sum = 0.;        ///< radians
     double over_15 = 0., over_30 = 0., under_20 = 0.; ///< edges over 15, 30, under -20 degrees
   };
   std::array<At_radius, number_of_radii> radii;
@@ -114,9 +114,10 @@ class Smoothed_borders
 {
 public:
   Smoothed_borders(const Oriented_points& points, const Neighbor_graph& graph,
-                   const Patches& patches, const std::array<float, Seam_profile::number_of_radii>& radii)
-      : m_points(points), m_graph(graph), m_patches(patches), m_radii(radii),
-        m_visited(points.size(), static_cast<Index>(-1)), m_means(points.size())
+                   const Patches& patches,
+                   const std::array<float, Seam_profile::number_of_radii>& radii)
+    : m_points(points), m_graph(graph), m_patches(patches), m_radii(radii),
+      m_visited(points.size(), static_cast<Index>(-1)), m_means(points.size())
   {
     for (Index i = 0; i < points.size(); ++i)
       for (const Neighbor& edge : graph[i])
@@ -181,9 +182,9 @@ private:
 struct Shape_ratios
 {
   double middle_axis = 0., short_axis = 0.; ///< square roots of covariance, relative to the longest
-  double normal_mean = 0.;   ///< length of the mean normal: 1 for a plane, 0 for a closed surface
-  double normal_least = 0.;  ///< least eigenvalue of the mean squared normals: 0 for a cylinder
-  double long_axis = 0.;     ///< standard deviation along the longest axis
+  double normal_mean = 0.;  ///< length of the mean normal: 1 for a plane, 0 for a closed surface
+  double normal_least = 0.; ///< least eigenvalue of the mean squared normals: 0 for a cylinder
+  double long_axis = 0.;    ///< standard deviation along the longest axis
 };
 
 inline Shape_ratios shape_ratios(const Region_shape& shape, const double size)

@@ -31,26 +31,14 @@ inline Vector3 operator-(const Vector3& a, const Vector3& b)
 {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-inline Vector3 operator*(const float s, const Vector3& a)
-{
-  return {s * a.x, s * a.y, s * a.z};
-}
-inline float dot(const Vector3& a, const Vector3& b)
-{
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+inline Vector3 operator*(const float s, const Vector3& a) { return {s * a.x, s * a.y, s * a.z}; }
+inline float dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vector3 cross(const Vector3& a, const Vector3& b)
 {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline float squared_length(const Vector3& a)
-{
-  return dot(a, a);
-}
-inline float length(const Vector3& a)
-{
-  return std::sqrt(dot(a, a));
-}
+inline float squared_length(const Vector3& a) { return dot(a, a); }
+inline float length(const Vector3& a) { return std::sqrt(dot(a, a)); }
 /// returns a unit vector, or `fallback` if `a` has no direction.
 inline Vector3 normalized(const Vector3& a, const Vector3& fallback = {0.f, 0.f, 1.f})
 {

@@ -66,7 +66,8 @@ inline std::vector<int> expansion_move(const Labeling_problem& problem,
   }
   for (const Labeling_problem::Edge& e : problem.edges)
   {
-    const bool first_is_alpha = labels[e.first] == alpha, second_is_alpha = labels[e.second] == alpha;
+    const bool first_is_alpha = labels[e.first] == alpha,
+               second_is_alpha = labels[e.second] == alpha;
     if (labels[e.first] == labels[e.second])
     {
       if (!first_is_alpha) flow.add_edge(nodes[e.first], nodes[e.second], e.cost, e.cost);
@@ -212,8 +213,8 @@ inline void expand_labels(const Neighbor_graph& graph, const Parameters& paramet
                           std::vector<int>& labels)
 {
   const int number_of_labels = 1 + *std::max_element(labels.begin(), labels.end());
-  const auto near_labels = label_distances(graph, labels, number_of_labels,
-                                           static_cast<float>(parameters.band_width));
+  const auto near_labels =
+      label_distances(graph, labels, number_of_labels, static_cast<float>(parameters.band_width));
   const std::vector<Index> points = points_near_borders(graph, near_labels);
   const Labeling_problem problem =
       band_problem(graph, labels, near_labels, points, number_of_labels, parameters);

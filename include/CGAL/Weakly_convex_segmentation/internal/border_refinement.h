@@ -8,7 +8,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
 
-#include <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h> // for its MaxFlow::Graph
+#include <CGAL/license/Surface_mesh_segmentation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,12 @@
 #include <queue>
 #include <utility>
 #include <vector>
+
+// CGAL's max-flow in CGAL's own namespace for it: <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h> does
+// the same, but brings the Boost Graph Library's flows along, which take seconds to compile.
+namespace MaxFlow {
+#include <CGAL/Surface_mesh_segmentation/internal/auxiliary/graph.h>
+}
 
 // Border refinement (section 5, equations 3-5): borders move within a narrow band to where the
 // surface is concave.
@@ -104,8 +110,8 @@ inline void cut_seam(const Neighbor_graph& graph, const std::vector<Band_point>&
   {
     const Index i = nodes[n];
     // equations 3 and 4: a point far from the border is dear to move
-    const double move = parameters.data_weight *
-                        std::pow(band[i].distance / parameters.band_width, parameters.data_exponent);
+    const double move = parameters.data_weight * std::pow(band[i].distance / parameters.band_width,
+                                                          parameters.data_exponent);
     double cost_of_a = before[i] == a ? 0. : move, cost_of_b = before[i] == b ? 0. : move;
     for (const Neighbor& edge : graph[i])
     {
@@ -139,8 +145,7 @@ inline void cut_seams(const Neighbor_graph& graph, const Parameters& parameters,
       find_band(graph, before, static_cast<float>(parameters.band_width));
   std::map<std::pair<int, int>, std::vector<Index>> seams;
   for (Index i = 0; i < graph.size(); ++i)
-    if (band[i].other >= 0)
-      seams[std::minmax(before[i], band[i].other)].push_back(i);
+    if (band[i].other >= 0) seams[std::minmax(before[i], band[i].other)].push_back(i);
   std::vector<Index> node_of_point(graph.size(), static_cast<Index>(-1));
   for (const auto& [pair, nodes] : seams)
     cut_seam(graph, band, pair.first, pair.second, nodes, before, node_of_point, parameters,
@@ -151,8 +156,7 @@ inline void cut_seams(const Neighbor_graph& graph, const Parameters& parameters,
 /// segment. Pieces that touch no other label stay.
 inline void remove_islands(const Neighbor_graph& graph, std::vector<int>& labels)
 {
-  const Pieces pieces =
-      connected_pieces(graph, std::vector<Index>(labels.begin(), labels.end()));
+  const Pieces pieces = connected_pieces(graph, std::vector<Index>(labels.begin(), labels.end()));
   std::map<int, std::size_t> segment_sizes;
   for (const int l : labels) ++segment_sizes[l];
   std::map<int, std::map<int, std::size_t>> contacts; // of small pieces: edges to each label
@@ -165,9 +169,10 @@ inline void remove_islands(const Neighbor_graph& graph, std::vector<int>& labels
   }
   std::map<int, int> new_label;
   for (const auto& [piece, edges] : contacts)
-    new_label[piece] = std::max_element(edges.begin(), edges.end(), [](const auto& x, const auto& y)
-                                        { return x.second < y.second; })
-                           ->first;
+    new_label[piece] =
+        std::max_element(edges.begin(), edges.end(),
+                         [](const auto& x, const auto& y) { return x.second < y.second; })
+            ->first;
   if (new_label.empty()) return;
   for (std::size_t i = 0; i < labels.size(); ++i)
   {

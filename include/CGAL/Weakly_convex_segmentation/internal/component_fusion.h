@@ -29,9 +29,8 @@ inline void fuse_components(Region_graph& graph, const Parameters& parameters,
         [&](const int a, const int b)
         {
           const double average = graph.visibility(a, b);
-          const double decisive = parameters.fusion == Fusion_rule::AVERAGE
-                                      ? average
-                                      : graph.least_visibility(a, b);
+          const double decisive =
+              parameters.fusion == Fusion_rule::AVERAGE ? average : graph.least_visibility(a, b);
           return decisive >= theta ? 1. - average : std::numeric_limits<double>::infinity();
         },
         log);

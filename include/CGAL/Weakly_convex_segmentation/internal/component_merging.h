@@ -30,7 +30,7 @@ class Component_signatures
 public:
   Component_signatures(const Oriented_points& points, const Patches& patches,
                        const Parameters& parameters, const bool parallel)
-      : m_points(points), m_patches(patches), m_parameters(parameters), m_parallel(parallel)
+    : m_points(points), m_patches(patches), m_parameters(parameters), m_parallel(parallel)
   {
     m_scale.logarithmic = false;
     m_scale.bins = parameters.histogram_bins;
@@ -146,8 +146,8 @@ inline int neighbor_of_flat_component(Region_graph& graph, const int flat,
   for (const auto& [other, seam] : graph.seams(flat))
   {
     by_length.push_back({-seam.edges, other});
-    const double ratio = seam.concave > 0. ? seam.convex / seam.concave
-                                           : (std::numeric_limits<double>::max)();
+    const double ratio =
+        seam.concave > 0. ? seam.convex / seam.concave : (std::numeric_limits<double>::max)();
     by_ratio.push_back({-ratio, other});
   }
   std::sort(by_length.begin(), by_length.end());

@@ -26,9 +26,8 @@ class Region_cost
 {
 public:
   Region_cost(Region_graph& graph, const Histogram_scale& scale, const Parameters& parameters)
-      : m_graph(graph), m_scale(scale), m_parameters(parameters)
-  {
-  }
+    : m_graph(graph), m_scale(scale), m_parameters(parameters)
+  {}
 
   /// returns the weighted cost, infinity if it is above `threshold`. Lines of sight are cast only if
   /// the other terms leave the pair a chance.
@@ -42,6 +41,15 @@ public:
     const double blindness = 1. - m_graph.visibility(a, b);
     const double cost = (known + weights.visibility_weight * blindness) * leniency;
     return cost <= threshold ? cost : std::numeric_limits<double>::infinity();
+  }
+
+  /// returns the cost as if the regions did not see each other at all.
+  double blind(const int a, const int b, const Merging_cost& weights) const
+  {
+    return small_region_factor(a, b) *
+           (weights.visibility_weight +
+            weights.concavity_weight * m_graph.seam(a, b).concave_share() +
+            weights.diameter_weight * diameter_distance(a, b));
   }
 
   /// share of the points in the smaller region, in [0, 1]
@@ -82,11 +90,10 @@ inline void set_signatures(Region_graph& graph, const Patches& patches,
 
 /// contracts by one weighted cost up to its threshold.
 inline void contract_by_cost(Region_graph& graph, const Region_cost& cost,
-                             const Merging_cost& weights, const double threshold,
-                             const Contraction_log& log, const std::size_t fewest = 1)
+                             const Merging_cost& weights, const Contraction_log& log)
 {
   contract(
-      graph, [&](const int a, const int b) { return cost(a, b, weights, threshold); }, log, fewest);
+      graph, [&](const int a, const int b) { return cost(a, b, weights, weights.threshold); }, log);
 }
 
 /// gives regions that are too small for a part to the neighbor that suits best.

@@ -25,9 +25,8 @@ class Fitted_cost
 {
 public:
   Fitted_cost(Pair_features& features, const Boosted_trees& trees)
-      : m_features(features), m_trees(trees)
-  {
-  }
+    : m_features(features), m_trees(trees)
+  {}
   double operator()(const int a, const int b) const
   {
     m_features.compute(a, b, m_values);
@@ -42,7 +41,7 @@ private:
 
 /// contracts by ascending fitted cost up to a threshold.
 inline void contract_fitted(Region_graph& graph, const Fitted_cost& cost, const double threshold,
-                            const Contraction_log& log, const std::size_t fewest = 1)
+                            const Contraction_log& log)
 {
   contract(
       graph,
@@ -51,7 +50,7 @@ inline void contract_fitted(Region_graph& graph, const Fitted_cost& cost, const 
         const double c = cost(a, b);
         return c <= threshold ? c : std::numeric_limits<double>::infinity();
       },
-      log, fewest);
+      log);
 }
 
 } // namespace internal

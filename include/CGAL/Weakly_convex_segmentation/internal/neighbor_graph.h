@@ -33,8 +33,8 @@ namespace internal {
 /// An edge of the neighbor graph, as seen from one of its ends.
 struct Neighbor
 {
-  Index point;   ///< the other end
-  float length;  ///< Euclidean distance
+  Index point;     ///< the other end
+  float length;    ///< Euclidean distance
   float concavity; ///< angle between the normals in radians, negative where the edge is convex
 };
 
@@ -43,7 +43,7 @@ struct Neighbor_graph
 {
   std::vector<std::size_t> first; ///< begin of each point's row in `neighbors`; size n + 1
   std::vector<Neighbor> neighbors;
-  std::vector<float> spacing;     ///< mean distance of a point to its k nearest neighbors
+  std::vector<float> spacing; ///< mean distance of a point to its k nearest neighbors
 
   struct Row
   {
@@ -77,13 +77,13 @@ class Nearest_points
   using Traits = CGAL::Search_traits_adapter<Index, Position_map, CGAL::Search_traits_3<Kernel>>;
   using Splitter = CGAL::Sliding_midpoint<Traits>;
   using Tree = CGAL::Kd_tree<Traits, Splitter, CGAL::Tag_true, CGAL::Tag_true>;
-  using Distance =
-      CGAL::Distance_adapter<Index, Position_map, CGAL::Euclidean_distance<CGAL::Search_traits_3<Kernel>>>;
+  using Distance = CGAL::Distance_adapter<Index, Position_map,
+                                          CGAL::Euclidean_distance<CGAL::Search_traits_3<Kernel>>>;
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits, Distance, Splitter, Tree>;
 
 public:
   explicit Nearest_points(const std::vector<Vector3>& positions)
-      : m_points(positions.size()), m_map{nullptr}
+    : m_points(positions.size()), m_map{nullptr}
   {
     for (std::size_t i = 0; i < positions.size(); ++i)
       m_points[i] = Point_3(positions[i].x, positions[i].y, positions[i].z);

@@ -201,8 +201,8 @@ inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const P
 inline Patches extract_patches(const Oriented_points& points, const Neighbor_graph& graph,
                                const Parameters& parameters)
 {
-  const Supervoxels supervoxels = build_supervoxels(
-      points, graph, parameters.number_of_supervoxels, parameters.patch_concavity_tolerance);
+  const Supervoxels supervoxels = build_supervoxels(points, graph, parameters.number_of_supervoxels,
+                                                    parameters.patch_concavity_tolerance);
   const std::vector<Index> cluster = cluster_supervoxels(
       supervoxels, supervoxel_edges(graph, supervoxels, parameters), parameters);
   std::vector<Index> labels(points.size());

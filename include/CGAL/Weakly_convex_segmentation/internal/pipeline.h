@@ -11,6 +11,8 @@
 #include <CGAL/Weakly_convex_segmentation/internal/component_fusion.h>
 #include <CGAL/Weakly_convex_segmentation/internal/component_merging.h>
 #include <CGAL/Weakly_convex_segmentation/internal/cost_merging.h>
+#include <CGAL/Weakly_convex_segmentation/internal/fitted_cost_table.h>
+#include <CGAL/Weakly_convex_segmentation/internal/fitted_merging.h>
 #include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
 
 #include <cstddef>
@@ -65,15 +67,13 @@ struct Shape_analysis
   const Oriented_points& points() const { return representatives.points; }
   std::size_t representative(const std::size_t input_point) const
   {
-    return representatives.of_point.empty() ? input_point
-                                            : representatives.of_point[input_point];
+    return representatives.of_point.empty() ? input_point : representatives.of_point[input_point];
   }
 };
 
 /// runs the stages up to the signatures.
-inline std::unique_ptr<Shape_analysis> analyze_shape(const Raw_points& raw,
-                                                     const Parameters& parameters,
-                                                     const Run_control& control)
+inline std::unique_ptr<Shape_analysis>
+analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_control& control)
 {
   auto shape = std::make_unique<Shape_analysis>();
   control.stage(Stage::SAMPLING,
@@ -88,9 +88,9 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(const Raw_points& raw,
   control.stage(Stage::NEIGHBORS,
                 [&]
                 {
-                  shape->graph = build_neighbor_graph(shape->representatives.points,
-                                                      parameters.number_of_neighbors,
-                                                      control.parallel);
+                  shape->graph =
+                      build_neighbor_graph(shape->representatives.points,
+                                           parameters.number_of_neighbors, control.parallel);
                   return shape->graph.neighbors.size() / 2;
                 });
   control.stage(Stage::PATCHES,
@@ -102,8 +102,7 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(const Raw_points& raw,
   control.stage(Stage::VISIBILITY,
                 [&]
                 {
-                  shape->sight =
-                      std::make_unique<Sight>(shape->points(), shape->graph, parameters);
+                  shape->sight = std::make_unique<Sight>(shape->points(), shape->graph, parameters);
                   shape->visibility = std::make_unique<Patch_visibility>(
                       *shape->sight, shape->patches, parameters, control.parallel);
                   return shape->sight->tree().size();
@@ -147,6 +146,25 @@ inline void merge_to_one(Region_graph& graph, const Contraction_log& log, const 
   }
 }
 
+/// marks the segments in the merge tree, after more merges if there are too many, and then goes on to
+/// one region. Returns the number of segments.
+template <typename Criterion>
+std::size_t finish_merging(Region_graph& graph, const Criterion& criterion,
+                           const Parameters& parameters, const Contraction_log& log)
+{
+  const std::size_t most = parameters.maximum_number_of_segments;
+  if (most > 0)
+  {
+    contract(graph, criterion, log, most);
+    merge_to_one(graph, log, most);
+  }
+  log.tree.set_accepted();
+  const std::size_t accepted = graph.number_of_regions();
+  contract(graph, criterion, log);
+  merge_to_one(graph, log, 1);
+  return accepted;
+}
+
 /// fusion and merging by the default's cost (sections 4 and 5).
 inline void merge_by_cost(Shape_analysis& shape, Region_graph& graph, const Parameters& parameters,
                           const Run_control& control, const Contraction_log& log)
@@ -158,29 +176,48 @@ inline void merge_by_cost(Shape_analysis& shape, Region_graph& graph, const Para
   control.stage(Stage::FUSION,
                 [&]
                 {
-                  contract_by_cost(graph, cost, parameters.fusion_cost,
-                                   parameters.fusion_cost.threshold, log);
+                  contract_by_cost(graph, cost, parameters.fusion_cost, log);
                   log.tree.set_fused();
                   return graph.number_of_regions();
                 });
   control.stage(Stage::MERGING,
                 [&]
                 {
-                  constexpr double any = (std::numeric_limits<double>::max)();
-                  contract_by_cost(graph, cost, parameters.merging_cost,
-                                   parameters.merging_cost.threshold, log);
+                  contract_by_cost(graph, cost, parameters.merging_cost, log);
                   absorb_small_regions(graph, cost, parameters, log);
-                  const std::size_t most = parameters.maximum_number_of_segments;
-                  if (most > 0)
-                  {
-                    contract_by_cost(graph, cost, parameters.merging_cost, any, log, most);
-                    merge_to_one(graph, log, most);
-                  }
-                  log.tree.set_accepted();
-                  const std::size_t accepted = graph.number_of_regions();
-                  contract_by_cost(graph, cost, parameters.merging_cost, any, log);
-                  merge_to_one(graph, log, 1);
-                  return accepted;
+                  // no more lines of sight for what lies beyond the segments
+                  return finish_merging(
+                      graph,
+                      [&](const int a, const int b)
+                      { return cost.blind(a, b, parameters.merging_cost); },
+                      parameters, log);
+                });
+}
+
+/// fusion and merging by the fitted cost (sections 4 and 5).
+inline void merge_fitted(Shape_analysis& shape, Region_graph& graph, const Parameters& parameters,
+                         const Run_control& control, const Contraction_log& log)
+{
+  const Histogram_scale scale;
+  set_signatures(graph, shape.patches, shape.diameters, scale);
+  graph.add_profiles(shape.points(), shape.graph, shape.patches, shape.diameters);
+  Pair_features features(graph, shape.patches, shape.diameters);
+  const Fitted_cost cost(features, fitted_trees());
+  control.stage(Stage::FUSION,
+                [&]
+                {
+                  contract_fitted(graph, cost, parameters.fitted_fusion_threshold, log);
+                  log.tree.set_fused();
+                  return graph.number_of_regions();
+                });
+  control.stage(Stage::MERGING,
+                [&]
+                {
+                  contract_fitted(graph, cost, parameters.fitted_merging_threshold, log);
+                  absorb_small_regions(graph, Region_cost(graph, scale, parameters), parameters,
+                                       log);
+                  return finish_merging(
+                      graph, [&](const int a, const int b) { return cost(a, b); }, parameters, log);
                 });
 }
 
@@ -195,26 +232,16 @@ inline void merge_by_paper(Shape_analysis& shape, Region_graph& graph, const Par
                   log.tree.set_fused();
                   return graph.number_of_regions();
                 });
-  control.stage(
-      Stage::MERGING,
-      [&]
-      {
-        Component_signatures signatures(shape.points(), shape.patches, parameters,
-                                        control.parallel);
-        merge_components(graph, signatures, shape.diameters, parameters, log);
-        const auto blindness = [&](const int a, const int b) { return 2. - graph.visibility(a, b); };
-        const std::size_t most = parameters.maximum_number_of_segments;
-        if (most > 0)
-        {
-          contract(graph, blindness, log, most);
-          merge_to_one(graph, log, most);
-        }
-        log.tree.set_accepted();
-        const std::size_t accepted = graph.number_of_regions();
-        contract(graph, blindness, log);
-        merge_to_one(graph, log, 1);
-        return accepted;
-      });
+  control.stage(Stage::MERGING,
+                [&]
+                {
+                  Component_signatures signatures(shape.points(), shape.patches, parameters,
+                                                  control.parallel);
+                  merge_components(graph, signatures, shape.diameters, parameters, log);
+                  const auto blindness = [&](const int a, const int b)
+                  { return 2. - graph.visibility(a, b); };
+                  return finish_merging(graph, blindness, parameters, log);
+                });
 }
 
 /// contracts the patches; the outcome is the merge tree.
@@ -226,6 +253,8 @@ inline Merge_tree merge_patches(Shape_analysis& shape, const Parameters& paramet
   const Contraction_log log{tree, control.visitor};
   if (parameters.merging == Merging_rule::COST)
     merge_by_cost(shape, graph, parameters, control, log);
+  else if (parameters.merging == Merging_rule::FITTED)
+    merge_fitted(shape, graph, parameters, control, log);
   else
     merge_by_paper(shape, graph, parameters, control, log);
   return tree;

@@ -170,7 +170,8 @@ inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& 
 {
   std::map<Coordinates, std::size_t> first;
   std::vector<std::size_t> welded(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) welded[i] = first.emplace(points[i], i).first->second;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    welded[i] = first.emplace(points[i], i).first->second;
   return welded;
 }
 
@@ -219,20 +220,16 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
 /// Ranges have begin(); triangle meshes have not.
 template <typename Input, typename = void>
 struct Is_range : std::false_type
-{
-};
+{};
 template <typename Input>
 struct Is_range<Input, std::void_t<decltype(std::declval<const Input&>().begin())>> : std::true_type
-{
-};
+{};
 template <typename Input>
 struct Is_point_set : std::false_type
-{
-};
+{};
 template <typename Point, typename Vector>
 struct Is_point_set<CGAL::Point_set_3<Point, Vector>> : std::true_type
-{
-};
+{};
 
 /// reads any input but soups.
 template <typename ConcurrencyTag, typename Input, typename NamedParameters>
@@ -243,9 +240,10 @@ Raw_points read_input(const Input& input, const NamedParameters& np)
   else if constexpr (Is_range<Input>::value)
     return read_points<ConcurrencyTag>(input, np);
   else
-    return read_mesh(input, CGAL::parameters::choose_parameter(
-                                CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                get_const_property_map(CGAL::vertex_point, input)));
+    return read_mesh(input,
+                     CGAL::parameters::choose_parameter(
+                         CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                         get_const_property_map(CGAL::vertex_point, input)));
 }
 
 /// writes the labels back through the caller's map.

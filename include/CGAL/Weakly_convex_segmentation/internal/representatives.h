@@ -46,7 +46,8 @@ inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points)
   {
     int level = 0;
     if (i > 0)
-      for (level = 1; level < 22 && (keys[i] >> (63 - 3 * level)) == (keys[i - 1] >> (63 - 3 * level));)
+      for (level = 1;
+           level < 22 && (keys[i] >> (63 - 3 * level)) == (keys[i - 1] >> (63 - 3 * level));)
         ++level;
     if (level < 22) ++starting[level];
   }

@@ -123,8 +123,7 @@ inline Embedding spread_centers(const Embedding& rows, const std::size_t count,
 {
   const Eigen::Index n = rows.rows();
   Embedding centers(static_cast<Eigen::Index>(count), rows.cols());
-  Eigen::VectorXf nearest =
-      Eigen::VectorXf::Constant(n, (std::numeric_limits<float>::max)());
+  Eigen::VectorXf nearest = Eigen::VectorXf::Constant(n, (std::numeric_limits<float>::max)());
   Eigen::Index next = static_cast<Eigen::Index>(unit_random(random) * static_cast<double>(n));
   for (Eigen::Index c = 0; c < centers.rows(); ++c)
   {

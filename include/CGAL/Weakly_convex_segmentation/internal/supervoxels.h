@@ -48,9 +48,8 @@ class Voronoi_cells
 {
 public:
   Voronoi_cells(const Neighbor_graph& graph, const Edge_cost& cost)
-      : m_graph(graph), m_cost(cost), m_distance(graph.size(), infinity()), m_cell(graph.size(), 0)
-  {
-  }
+    : m_graph(graph), m_cost(cost), m_distance(graph.size(), infinity()), m_cell(graph.size(), 0)
+  {}
 
   static constexpr float infinity() { return std::numeric_limits<float>::infinity(); }
   float distance(const Index point) const { return m_distance[point]; }

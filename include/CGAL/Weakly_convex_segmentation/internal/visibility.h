@@ -54,14 +54,12 @@ class Sight
 {
 public:
   Sight(const Oriented_points& points, const Neighbor_graph& graph, const Parameters& parameters)
-      : m_points(points),
-        m_tree(make_disks(points, graph, parameters.disk_radius_factor),
-               static_cast<float>(parameters.clearance_factor)),
-        m_outside_slope(parameters.outside_tolerance < 90.
-                            ? std::sin(radians(parameters.outside_tolerance))
-                            : 2.f)
-  {
-  }
+    : m_points(points), m_tree(make_disks(points, graph, parameters.disk_radius_factor),
+                               static_cast<float>(parameters.clearance_factor)),
+      m_outside_slope(parameters.outside_tolerance < 90.
+                          ? std::sin(radians(parameters.outside_tolerance))
+                          : 2.f)
+  {}
 
   const Oriented_points& points() const { return m_points; }
   const Disk_tree& tree() const { return m_tree; }
@@ -105,7 +103,7 @@ class Patch_visibility
 public:
   Patch_visibility(const Sight& sight, const Patches& patches, const Parameters& parameters,
                    const bool parallel)
-      : m_sight(sight), m_early(parameters.rays_for_early_decision), m_parallel(parallel)
+    : m_sight(sight), m_early(parameters.rays_for_early_decision), m_parallel(parallel)
   {
     for (const auto& members : patches.members)
       m_samples.push_back(spread_sample(members, parameters.samples_per_patch));
@@ -130,9 +128,8 @@ public:
         missing.push_back({(std::min)(a, b), (std::max)(a, b)});
     std::vector<float> ratios(missing.size());
     parallel_for(
-        missing.size(), m_parallel, [&](const std::size_t i)
-        { ratios[i] = cast(missing[i].first, missing[i].second); },
-        4);
+        missing.size(), m_parallel,
+        [&](const std::size_t i) { ratios[i] = cast(missing[i].first, missing[i].second); }, 4);
     for (std::size_t i = 0; i < missing.size(); ++i)
       m_known[key(missing[i].first, missing[i].second)] = ratios[i];
   }

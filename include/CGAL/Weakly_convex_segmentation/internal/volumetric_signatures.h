@@ -69,9 +69,8 @@ inline void cone_directions(const Vector3& axis, const float half_angle, const s
 ///
 /// Rays start inwards in a cone about the reversed normal and end where they first leave the shape;
 /// their median, weighted by the cosine, is the diameter.
-inline std::vector<Diameter_sample> shape_diameters(const Sight& sight,
-                                                    const Parameters& parameters,
-                                                    const bool parallel)
+inline std::vector<Diameter_sample>
+shape_diameters(const Sight& sight, const Parameters& parameters, const bool parallel)
 {
   const Oriented_points& points = sight.points();
   const std::size_t count = (std::min)(points.size(), parameters.diameter_samples);
@@ -104,8 +103,7 @@ inline std::vector<Diameter_sample> shape_diameters(const Sight& sight,
 /// max(100, 0.1 |C|) points spread over the component.
 inline std::vector<Diameter_sample> own_diameters(const Oriented_points& points,
                                                   const std::vector<Index>& component,
-                                                  const Parameters& parameters,
-                                                  const bool parallel)
+                                                  const Parameters& parameters, const bool parallel)
 {
   const std::size_t wanted = (std::max)(std::size_t(100), component.size() / 10);
   const std::vector<Index> sample = spread_sample(component, wanted);
