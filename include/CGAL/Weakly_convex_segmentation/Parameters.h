@@ -45,7 +45,8 @@ enum class Diameter_rule
 {
   OWN_POINTS,  ///< lengths to the component's own points in a cone (section 5)
   WHOLE_SHAPE, ///< cast rays in a cone until they leave the shape, whichever component is hit
-  CGAL_SDF     ///< CGAL's shape diameter function on the sampled faces; triangle meshes only
+  GIVEN ///< what was passed to `Segmenter::set_diameters()`, for instance CGAL's shape diameter
+        ///< function on sampled faces by `mesh_diameters()`
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef

@@ -46,7 +46,8 @@ public:
             typename = typename PolygonRange::const_iterator>
   Segmenter(const PointRange& points, const PolygonRange& polygons, const Parameters& parameters,
             const NamedParameters& np)
-    : Segmenter(internal::read_soup(points, polygons, internal::point_map_of(points, np)),
+    : Segmenter(internal::read_soup(points, polygons, internal::point_map_of(points, np),
+                                    internal::traits_of(np)),
                 parameters, internal::read_control<ConcurrencyTag>(np),
                 internal::read_seed(np, parameters))
   {}
@@ -80,6 +81,20 @@ public:
                                     " is not from 0 to " +
                                     std::to_string(m_shape->patches.size() - 1));
     return internal::finish_segmentation(*m_shape, tree, patch_labels, parameters, m_control);
+  }
+
+  /// takes diameters of the shape that were measured elsewhere, such as by `mesh_diameters()`, for
+  /// the segmentations to come.
+  /// \param diameters one for each input element, in units of the input; at most 0 or not a number
+  ///   where there is none
+  /// \throws std::invalid_argument if there is not one an element
+  void set_diameters(const std::vector<double>& diameters)
+  {
+    if (diameters.size() != m_shape->input.size())
+      throw std::invalid_argument("there are " + std::to_string(diameters.size()) +
+                                  " diameters for " + std::to_string(m_shape->input.size()) +
+                                  " elements");
+    internal::use_diameters(*m_shape, diameters);
   }
 
   /// number of patches

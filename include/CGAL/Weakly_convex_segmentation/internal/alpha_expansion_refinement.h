@@ -224,16 +224,23 @@ inline void expand_labels(const Neighbor_graph& graph, const Parameters& paramet
   for (std::size_t v = 0; v < points.size(); ++v) labels[points[v]] = band_labels[v];
 }
 
-/// refines the borders by the rule that is asked for; returns the number of points that changed.
+/// moves the borders by the rule that is asked for.
+inline void move_borders(const Neighbor_graph& graph, const Parameters& parameters,
+                         std::vector<int>& labels)
+{
+  if (parameters.refinement == Refinement_rule::SEAM_CUTS)
+    cut_seams(graph, parameters, labels);
+  else
+    expand_labels(graph, parameters, labels);
+}
+
+/// moves the borders and removes what islands that leaves; returns the number of points that changed.
 inline std::size_t refine_borders(const Neighbor_graph& graph, const Parameters& parameters,
                                   std::vector<int>& labels)
 {
   if (parameters.refinement == Refinement_rule::NONE || parameters.band_width == 0.) return 0;
   const std::vector<int> before = labels;
-  if (parameters.refinement == Refinement_rule::SEAM_CUTS)
-    cut_seams(graph, parameters, labels);
-  else
-    expand_labels(graph, parameters, labels);
+  move_borders(graph, parameters, labels);
   remove_islands(graph, labels);
   std::size_t moved = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) moved += labels[i] != before[i] ? 1 : 0;

@@ -193,6 +193,26 @@ inline Oriented_points orient_points(const Raw_points& raw)
   return points;
 }
 
+/// returns the chosen points, in the same frame, with the links among them.
+inline Oriented_points sub_points(const Oriented_points& points, const std::vector<Index>& chosen)
+{
+  constexpr Index none = static_cast<Index>(-1);
+  Oriented_points result;
+  result.extent = points.extent;
+  std::vector<Index> rank(points.links.empty() ? 0 : points.size(), none);
+  for (const Index i : chosen)
+  {
+    if (!rank.empty()) rank[i] = static_cast<Index>(result.size());
+    result.elements.push_back(static_cast<Index>(result.size()));
+    result.positions.push_back(points.positions[i]);
+    result.normals.push_back(points.normals[i]);
+  }
+  for (const auto& link : points.links)
+    if (rank[link[0]] != none && rank[link[1]] != none)
+      result.links.push_back({rank[link[0]], rank[link[1]]});
+  return result;
+}
+
 } // namespace internal
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL

@@ -117,6 +117,22 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
   return shape;
 }
 
+/// replaces the diameters by given ones, one a representative at most.
+inline void use_diameters(Shape_analysis& shape, const std::vector<double>& of_elements)
+{
+  shape.diameters.clear();
+  std::vector<char> used(shape.points().size(), 0);
+  for (std::size_t i = 0; i < shape.input.size(); ++i)
+  {
+    const double d = of_elements[shape.input.elements[i]];
+    const std::size_t r = shape.representative(i);
+    if (!(d > 0.) || used[r] != 0) continue;
+    used[r] = 1;
+    shape.diameters.push_back(
+        {static_cast<Index>(r), static_cast<float>(d / shape.input.extent), {}, {}});
+  }
+}
+
 /// goes on merging until one region is left, so that the merge tree serves any granularity: adjacent
 /// regions by cost, then the smallest region of what is not adjacent to its nearest.
 inline void merge_to_one(Region_graph& graph, const Contraction_log& log, const std::size_t fewest)
@@ -275,6 +291,37 @@ inline std::size_t number_labels(std::vector<int>& labels)
   return static_cast<std::size_t>(next);
 }
 
+/// returns the labels of the input points in spatial order, from those of the representatives, with
+/// the borders refined anew among the points themselves: only those near a border are looked at.
+inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vector<int>& labels,
+                                     const Parameters& parameters, const Run_control& control)
+{
+  std::vector<int> result(shape.input.size());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = labels[shape.representative(i)];
+  if (shape.representatives.of_point.empty() || parameters.refinement == Refinement_rule::NONE ||
+      parameters.band_width == 0.)
+    return result;
+
+  const float margin =
+      2.f * *std::max_element(shape.graph.spacing.begin(), shape.graph.spacing.end());
+  const std::vector<Band_point> band =
+      find_band(shape.graph, labels, static_cast<float>(parameters.band_width) + margin);
+  std::vector<Index> near_border;
+  for (Index i = 0; i < result.size(); ++i)
+    if (band[shape.representative(i)].other >= 0) near_border.push_back(i);
+  if (near_border.empty()) return result;
+
+  Oriented_points points = sub_points(shape.input, near_border);
+  if (!parameters.use_mesh_adjacency) points.links.clear();
+  const Neighbor_graph graph =
+      build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel);
+  std::vector<int> band_labels;
+  for (const Index i : near_border) band_labels.push_back(result[i]);
+  move_borders(graph, parameters, band_labels);
+  for (std::size_t j = 0; j < near_border.size(); ++j) result[near_border[j]] = band_labels[j];
+  return result;
+}
+
 /// returns one label an input element from those of the representatives.
 inline std::vector<int> element_labels(const Shape_analysis& shape, const std::vector<int>& labels)
 {
@@ -282,6 +329,16 @@ inline std::vector<int> element_labels(const Shape_analysis& shape, const std::v
   for (std::size_t i = 0; i < result.size(); ++i)
     result[shape.input.elements[i]] = labels[shape.representative(i)];
   return result;
+}
+
+/// gives `labels` the numbers that `after` has where `before` has their old ones.
+inline void renumber_like(const std::vector<int>& before, const std::vector<int>& after,
+                          std::vector<int>& labels)
+{
+  std::vector<int> number(
+      1 + static_cast<std::size_t>(*std::max_element(labels.begin(), labels.end())), 0);
+  for (std::size_t i = 0; i < before.size(); ++i) number[before[i]] = after[i];
+  for (int& l : labels) l = number[l];
 }
 
 /// fills size, convexity rank, diameter and neighbors of each segment.
@@ -323,20 +380,25 @@ inline Result finish_segmentation(const Shape_analysis& shape, Merge_tree tree,
                                   const Parameters& parameters, const Run_control& control)
 {
   Result result;
-  std::vector<int> labels(shape.points().size());
+  std::vector<int> labels(shape.points().size()), input_labels;
   for (std::size_t i = 0; i < labels.size(); ++i)
     labels[i] = region_of_patch[shape.patches.of_point[i]];
-  control.stage(Stage::REFINEMENT, [&] { return refine_borders(shape.graph, parameters, labels); });
+  control.stage(Stage::REFINEMENT,
+                [&]
+                {
+                  const std::size_t moved = refine_borders(shape.graph, parameters, labels);
+                  input_labels = carry_labels(shape, labels, parameters, control);
+                  return moved;
+                });
   control.stage(Stage::STATISTICS,
                 [&]
                 {
-                  result.labels = element_labels(shape, labels);
+                  result.labels.resize(input_labels.size());
+                  for (std::size_t i = 0; i < input_labels.size(); ++i)
+                    result.labels[shape.input.elements[i]] = input_labels[i];
                   const std::vector<int> before = result.labels;
                   const std::size_t count = number_labels(result.labels);
-                  std::vector<int> number(shape.patches.size(), -1);
-                  for (std::size_t e = 0; e < before.size(); ++e)
-                    number[before[e]] = result.labels[e];
-                  for (int& l : labels) l = number[l];
+                  renumber_like(before, result.labels, labels);
                   result.segments = describe_segments(shape, labels, result.labels, count);
                   result.patches = element_labels(shape, shape.patches.of_point);
                   return count;

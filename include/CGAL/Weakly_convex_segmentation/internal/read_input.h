@@ -39,11 +39,61 @@ namespace internal {
 
 using Coordinates = std::array<double, 3>;
 
-template <typename Vector>
-Coordinates coordinates(const Vector& v)
+/// Default model of the concept `WeaklyConvexSegmentationTraits`: points and vectors of any CGAL kernel.
+struct Default_traits
 {
-  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+  struct Compute_x_3
+  {
+    template <typename Vector>
+    auto operator()(const Vector& v) const
+    {
+      return v.x();
+    }
+  };
+  struct Compute_y_3
+  {
+    template <typename Vector>
+    auto operator()(const Vector& v) const
+    {
+      return v.y();
+    }
+  };
+  struct Compute_z_3
+  {
+    template <typename Vector>
+    auto operator()(const Vector& v) const
+    {
+      return v.z();
+    }
+  };
+  Compute_x_3 compute_x_3_object() const { return {}; }
+  Compute_y_3 compute_y_3_object() const { return {}; }
+  Compute_z_3 compute_z_3_object() const { return {}; }
+};
+
+template <typename NamedParameters>
+auto traits_of(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Default_traits());
 }
+
+/// Reads points and vectors through the traits.
+template <typename Traits>
+class Coordinate_reader
+{
+  Traits m_traits;
+
+public:
+  explicit Coordinate_reader(const Traits& traits) : m_traits(traits) {}
+  template <typename Vector>
+  Coordinates operator()(const Vector& v) const
+  {
+    return {CGAL::to_double(m_traits.compute_x_3_object()(v)),
+            CGAL::to_double(m_traits.compute_y_3_object()(v)),
+            CGAL::to_double(m_traits.compute_z_3_object()(v))};
+  }
+};
 
 inline Coordinates operator-(const Coordinates& a, const Coordinates& b)
 {
@@ -88,6 +138,7 @@ template <typename ConcurrencyTag, typename PointRange, typename NamedParameters
 Raw_points read_points(const PointRange& range, const NamedParameters& np)
 {
   const auto point_map = point_map_of(range, np);
+  const Coordinate_reader coordinates(traits_of(np));
   Raw_points raw;
   for (const auto& element : range) raw.positions.push_back(coordinates(get(point_map, element)));
   if constexpr (is_given<NamedParameters, CGAL::internal_np::normal_t>)
@@ -104,9 +155,10 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np)
 }
 
 /// reads a `CGAL::Point_set_3`, with its normals if it has them.
-template <typename ConcurrencyTag, typename PointSet>
-Raw_points read_point_set(const PointSet& points)
+template <typename ConcurrencyTag, typename PointSet, typename NamedParameters>
+Raw_points read_point_set(const PointSet& points, const NamedParameters& np)
 {
+  const Coordinate_reader coordinates(traits_of(np));
   Raw_points raw;
   for (const auto& index : points) raw.positions.push_back(coordinates(points.point(index)));
   if (points.has_normal_map())
@@ -140,9 +192,10 @@ inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_points& raw
 
 /// reads a mesh as one point a face (section 6): centroid, normal, and links between faces that
 /// share an edge.
-template <typename FaceGraph, typename VertexPointMap>
-Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points)
+template <typename FaceGraph, typename VertexPointMap, typename Traits>
+Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const Traits& traits)
 {
+  const Coordinate_reader coordinates(traits);
   using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
   Raw_points raw;
   std::unordered_map<face_descriptor, Index> index;
@@ -177,9 +230,12 @@ inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& 
 
 /// reads a polygon soup as one point a polygon, with links between those that share an edge.
 /// \throws std::invalid_argument if an index is out of range or a polygon has under 3 corners.
-template <typename PointRange, typename PolygonRange, typename PointMap>
-Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, const PointMap& map)
+template <typename PointRange, typename PolygonRange, typename PointMap,
+          typename Traits = Default_traits>
+Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, const PointMap& map,
+                     const Traits& traits = Traits())
 {
+  const Coordinate_reader coordinates(traits);
   std::vector<Coordinates> positions;
   for (const auto& p : points) positions.push_back(coordinates(get(map, p)));
   check_finite(positions, "position");
@@ -236,14 +292,15 @@ template <typename ConcurrencyTag, typename Input, typename NamedParameters>
 Raw_points read_input(const Input& input, const NamedParameters& np)
 {
   if constexpr (Is_point_set<Input>::value)
-    return read_point_set<ConcurrencyTag>(input);
+    return read_point_set<ConcurrencyTag>(input, np);
   else if constexpr (Is_range<Input>::value)
     return read_points<ConcurrencyTag>(input, np);
   else
     return read_mesh(input,
                      CGAL::parameters::choose_parameter(
                          CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                         get_const_property_map(CGAL::vertex_point, input)));
+                         get_const_property_map(CGAL::vertex_point, input)),
+                     traits_of(np));
 }
 
 /// writes the labels back through the caller's map.

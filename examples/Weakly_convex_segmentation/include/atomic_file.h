@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SHAPE_IO_ATOMIC_FILE_H
+#define SHAPE_IO_ATOMIC_FILE_H
+
+#include "shape.h"
+
+#include <filesystem>
+#include <fstream>
+#include <ios>
+#include <ostream>
+#include <random>
+#include <string>
+#include <system_error>
+
+namespace Shape_io {
+
+// A file that is there as a whole or not at all: it is written beside its place and renamed by
+// commit(). Without commit(), the destructor removes what was written.
+class Atomic_file
+{
+public:
+  // Throws File_error if the file can't be written there. What is at that place stays until
+  // commit().
+  explicit Atomic_file(const std::string& path) : m_name(path), m_target(path)
+  {
+    std::error_code error;
+    if (std::filesystem::is_directory(m_target, error)) fail("it is a folder; name a file");
+    // A device or pipe can't be replaced, nor what standard output goes to: they are written to
+    // directly.
+    m_is_direct = path == "/dev/stdout" || path == "/dev/stderr" ||
+                  path.compare(0, 8, "/dev/fd/") == 0 ||
+                  (std::filesystem::exists(m_target, error) &&
+                   !std::filesystem::is_regular_file(m_target, error));
+    // The file that a link names is replaced, not the link.
+    if (!m_is_direct && std::filesystem::is_symlink(m_target, error))
+      m_target = std::filesystem::weakly_canonical(m_target, error);
+    m_written = m_target;
+    if (!m_is_direct) m_written += "." + std::to_string(std::random_device()()) + ".tmp";
+    m_stream.open(m_written, std::ios::binary | std::ios::trunc);
+    if (!m_stream) fail("it can't be created; check that its folder exists and is writable");
+  }
+
+  ~Atomic_file()
+  {
+    if (m_is_committed || m_is_direct) return;
+    m_stream.close();
+    std::error_code error;
+    std::filesystem::remove(m_written, error);
+  }
+
+  Atomic_file(const Atomic_file&) = delete;
+  Atomic_file& operator=(const Atomic_file&) = delete;
+
+  std::ostream& stream() { return m_stream; }
+
+  // Throws File_error if not all could be written.
+  void commit()
+  {
+    finish();
+    std::error_code error;
+    if (!m_is_direct) std::filesystem::rename(m_written, m_target, error);
+    if (error) fail("its place can't be taken (" + error.message() + "); check its folder");
+    m_is_committed = true;
+  }
+
+  // Writes what is still in memory, so that a full disk shows before any of several files is
+  // committed.
+  void finish()
+  {
+    if (m_stream.is_open()) m_stream.close(); // sets failbit if the buffer can't be written
+    if (!m_stream) fail("not all could be written; check for free space");
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const
+  {
+    throw File_error("cannot write '" + m_name + "': " + what);
+  }
+
+  std::string m_name;
+  std::filesystem::path m_target;
+  std::filesystem::path m_written;
+  std::ofstream m_stream;
+  bool m_is_direct = false;
+  bool m_is_committed = false;
+};
+
+} // namespace Shape_io
+
+#endif // SHAPE_IO_ATOMIC_FILE_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SHAPE_IO_SHAPE_H
+#define SHAPE_IO_SHAPE_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What is read from a shape's file, with all that is needed to write it back.
+
+namespace Shape_io {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+
+// Thrown when a file can't be read or written. The message is one line with cause and remedy.
+class File_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+// Further numbers of each point or face, such as an intensity. A double holds every number that a
+// PLY property can have, so nothing is lost.
+struct Property
+{
+  std::string name;
+  std::string type; // as in the header of a PLY file: "uchar", "float", ...
+  std::vector<double> values;
+};
+
+// A mesh (a soup of polygons) or, when there are no polygons, a cloud of points.
+struct Shape
+{
+  std::vector<Point> points;
+  std::vector<Vector> normals; // empty, or one a point
+  std::vector<std::vector<std::size_t>> polygons;
+  std::vector<Property> point_properties;
+  std::vector<Property> face_properties;
+
+  bool is_mesh() const { return !polygons.empty(); }
+  // The elements are what gets a label: the faces of a mesh, the points of a cloud.
+  std::size_t number_of_elements() const { return is_mesh() ? polygons.size() : points.size(); }
+  const char* element_name() const { return is_mesh() ? "faces" : "points"; }
+};
+
+} // namespace Shape_io
+
+#endif // SHAPE_IO_SHAPE_H

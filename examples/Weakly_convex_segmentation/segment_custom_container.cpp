@@ -1,0 +1,66 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Segments points that lie in a container of one's own: the elements are indices, and property maps
+// tell where the point and the normal of an index are and where its label goes.
+
+#include "shape_generator.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/weakly_convex_segmentation.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cstddef>
+#include <iostream>
+#include <numeric>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+
+struct Sample
+{
+  Point position;
+  Vector normal;
+  int part;
+};
+
+// writes the label of a sample
+struct Part_map
+{
+  using key_type = std::size_t;
+  using value_type = int;
+  using reference = int;
+  using category = boost::writable_property_map_tag;
+  std::vector<Sample>* samples;
+  friend void put(const Part_map& map, key_type i, int label) { (*map.samples)[i].part = label; }
+};
+
+int main()
+{
+  const auto cloud = Shape_generator::make_cloud("dumbbell", 5000, 0);
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+  {
+    const auto& [x, y, z] = cloud.points[i];
+    const auto& [nx, ny, nz] = cloud.normals[i];
+    samples.push_back({Point(x, y, z), Vector(nx, ny, nz), -1});
+  }
+
+  // maps that are only read can be made of functions
+  const auto positions = boost::make_function_property_map<std::size_t, Point>(
+      [&](std::size_t i) { return samples[i].position; });
+  const auto normals = boost::make_function_property_map<std::size_t, Vector>(
+      [&](std::size_t i) { return samples[i].normal; });
+
+  // any range of indices: only what is in it is segmented
+  std::vector<std::size_t> indices(samples.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  const auto result = CGAL::weakly_convex_segmentation(
+      indices, Part_map{&samples}, {}, CGAL::parameters::point_map(positions).normal_map(normals));
+
+  std::cout << result.number_of_segments() << " segments, the first sample is in "
+            << samples.front().part << '\n';
+}

@@ -1,0 +1,231 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Segments a shape in a file, or a generated one, and writes the parts. See --help.
+
+#include "segment_options.h"
+#include "segment_progress.h"
+#include "segment_report.h"
+#include "shape_generator.h"
+#include "shape_io.h"
+#include "thread_limit.h"
+
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+#include <CGAL/version.h>
+#include <CGAL/weakly_convex_segmentation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace WCS = CGAL::Weakly_convex_segmentation;
+using Segment_shape::Options;
+using Segment_shape::Run;
+using Shape_io::Shape;
+
+Shape generated_shape(const std::string& name)
+{
+  const Shape_generator::Labeled_mesh mesh = Shape_generator::make_mesh(name);
+  Shape shape;
+  for (const auto& p : mesh.points) shape.points.emplace_back(p[0], p[1], p[2]);
+  for (const auto& f : mesh.faces) shape.polygons.emplace_back(f.begin(), f.end());
+  return shape;
+}
+
+// The elements of a cloud are its indices: the maps look points and normals up where they lie.
+template <typename Concurrency_tag, typename Named_parameters>
+WCS::Result segment_cloud(const Shape& shape, const WCS::Parameters& parameters,
+                          const Named_parameters& np)
+{
+  std::vector<std::size_t> indices(shape.points.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  std::vector<int> labels(shape.points.size());
+  const auto label_map = CGAL::make_property_map(labels);
+  const auto with_points = np.point_map(CGAL::make_property_map(shape.points));
+  if (shape.normals.empty())
+    return CGAL::weakly_convex_segmentation<Concurrency_tag>(indices, label_map, parameters,
+                                                             with_points);
+  return CGAL::weakly_convex_segmentation<Concurrency_tag>(
+      indices, label_map, parameters,
+      with_points.normal_map(CGAL::make_property_map(shape.normals)));
+}
+
+template <typename Concurrency_tag>
+WCS::Result segment_with(const Shape& shape, const Options& options,
+                         Segment_shape::Stage_times& stages)
+{
+  const Segment_shape::Interruption interruption;
+  Segment_shape::Progress_line progress(options.quiet);
+  const std::function<bool(double)> go_on = [&](const double share)
+  {
+    progress.show(share, WCS::stage_name(stages.stage()));
+    return !Segment_shape::Interruption::happened();
+  };
+  const auto np = CGAL::parameters::callback(go_on).visitor(std::ref(stages));
+  if (shape.is_mesh())
+    return CGAL::weakly_convex_segmentation_of_soup<Concurrency_tag>(shape.points, shape.polygons,
+                                                                     options.parameters, np);
+  return segment_cloud<Concurrency_tag>(shape, options.parameters, np);
+}
+
+WCS::Result segment(const Shape& shape, const Options& options, Segment_shape::Stage_times& stages)
+{
+  using Segment_shape::Thread_limit;
+  const Thread_limit limit(options.number_of_threads);
+  if (options.number_of_threads == 1)
+    return segment_with<CGAL::Sequential_tag>(shape, options, stages);
+  if (!Thread_limit::has_threads && options.number_of_threads > 1 && !options.quiet)
+    std::cerr << "segment_shape: built without TBB, so one thread is used\n";
+  return segment_with<CGAL::Parallel_if_available_tag>(shape, options, stages);
+}
+
+// The labels at the wanted granularity. Patches and components are those before the borders of the
+// segments were refined.
+std::vector<int> labels_at(const WCS::Level level, const WCS::Result& result)
+{
+  if (level == WCS::Level::SEGMENTS) return result.labels;
+  std::vector<int> labels = result.patches;
+  if (level == WCS::Level::PATCHES) return labels;
+  const std::vector<int> component_of_patch =
+      result.merge_tree.labels_after(result.merge_tree.number_of_fusions());
+  for (int& label : labels) label = component_of_patch[static_cast<std::size_t>(label)];
+  return labels;
+}
+
+Shape_io::Parts parts_at(const WCS::Level level, const Shape& shape, const WCS::Result& result)
+{
+  Shape_io::Parts parts;
+  parts.labels = labels_at(level, result);
+  for (const int label : result.labels)
+    parts.quality.push_back(result.segments[static_cast<std::size_t>(label)].convexity_rank);
+
+  Shape_io::Neighbors neighbors;
+  if (level == WCS::Level::SEGMENTS)
+    for (const WCS::Segment& s : result.segments) neighbors.push_back(s.neighbors);
+  else
+  {
+    const int last = *std::max_element(parts.labels.begin(), parts.labels.end());
+    neighbors = Shape_io::part_neighbors(shape, parts.labels, static_cast<std::size_t>(last) + 1);
+  }
+  parts.colors = Shape_io::part_colors(neighbors);
+  return parts;
+}
+
+// The files to write. They are begun before the work, so that an output that can't be written
+// shows at once, and take their places together when all is written.
+class Outputs
+{
+public:
+  explicit Outputs(const Options& options)
+    : m_parts(open(options.parts_file)), m_labels(open(options.labels_file)),
+      m_stats(open(options.stats_file))
+  {}
+
+  void write(const Options& options, const Shape& shape, const Run& run)
+  {
+    const Shape_io::Parts parts = parts_at(options.level, shape, run.result);
+    if (m_parts)
+      Shape_io::write_parts(m_parts->stream(), shape, parts,
+                            options.ascii ? Shape_io::Encoding::ASCII : Shape_io::Encoding::BINARY);
+    if (m_labels) Shape_io::write_labels(m_labels->stream(), parts.labels);
+    if (m_stats) Segment_shape::write_stats(m_stats->stream(), options, shape, run);
+    for (const auto* file : {&m_parts, &m_labels, &m_stats})
+      if (*file) (*file)->finish();
+    for (const auto* file : {&m_parts, &m_labels, &m_stats})
+      if (*file) (*file)->commit();
+  }
+
+private:
+  using File = std::unique_ptr<Shape_io::Atomic_file>;
+
+  static File open(const std::string& path)
+  {
+    return path.empty() ? File() : std::make_unique<Shape_io::Atomic_file>(path);
+  }
+
+  File m_parts, m_labels, m_stats;
+};
+
+void print_results(const Options& options, const Shape& shape, const Run& run)
+{
+  Segment_shape::print_summary(std::cout, shape, run);
+  for (const std::string& file : {options.parts_file, options.labels_file, options.stats_file})
+    if (!file.empty()) std::cout << "wrote " << file << '\n';
+}
+
+void segment_shape(const Options& options)
+{
+  Run run;
+  run.name = options.input.empty() ? options.shape + " (generated)" : options.input;
+  const Segment_shape::Stopwatch reading;
+  const Shape shape =
+      options.input.empty() ? generated_shape(options.shape) : Shape_io::read_shape(options.input);
+  run.seconds_of_reading = reading.seconds();
+
+  Outputs outputs(options);
+  const Segment_shape::Stopwatch segmentation;
+  run.result = segment(shape, options, run.stages);
+  run.seconds_of_segmentation = segmentation.seconds();
+  outputs.write(options, shape, run);
+  if (!options.quiet) print_results(options, shape, run);
+}
+
+void run_program(const int argc, const char* const argv[])
+{
+  const Options options = Segment_shape::read_options(argc, argv);
+  if (options.help)
+    Segment_shape::print_help(std::cout);
+  else if (options.version)
+    std::cout << "segment_shape " << WEAKLY_CONVEX_SEGMENTATION_VERSION << ", with CGAL "
+              << CGAL_STRINGIZE(CGAL_VERSION) << '\n';
+  else
+    segment_shape(options);
+  if (!std::cout.flush())
+    throw std::runtime_error("standard output can't be written; check where it goes");
+}
+
+// Names of files and messages of libraries may hold line ends, but an error is one line.
+std::string one_line(std::string message)
+{
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  return message;
+}
+
+} // namespace
+
+int main(const int argc, char* argv[])
+{
+  // CGAL prints errors before it throws them; they are printed below.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  try
+  {
+    run_program(argc, argv);
+    return EXIT_SUCCESS;
+  }
+  catch (const WCS::Canceled&)
+  {
+    std::cerr << "segment_shape: interrupted, nothing was written; start it again\n";
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "segment_shape: there is not enough memory; take a smaller shape\n";
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "segment_shape: " << one_line(error.what()) << '\n';
+  }
+  return EXIT_FAILURE;
+}

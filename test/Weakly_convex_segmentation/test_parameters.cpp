@@ -1,0 +1,281 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE Parameters
+#include <boost/test/included/unit_test.hpp>
+
+#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+
+#include "named_parameters.h"
+#include "shapes_for_tests.h"
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Every parameter is range-checked by name, and every parameter changes something.
+
+namespace {
+
+using CGAL::Weakly_convex_segmentation::Fusion_rule;
+using CGAL::Weakly_convex_segmentation::Parameters;
+using CGAL::Weakly_convex_segmentation::Refinement_rule;
+using CGAL::Weakly_convex_segmentation::Result;
+using namespace CGAL::Weakly_convex_segmentation::internal;
+using namespace Shapes_for_tests;
+
+const std::map<std::string, Named_parameters::Setter>& setters()
+{
+  static const auto result = Named_parameters::setters();
+  return result;
+}
+
+/// the lowest and the highest value that are allowed
+struct Range
+{
+  double low, high;
+};
+
+std::map<std::string, Range> ranges()
+{
+  std::map<std::string, Range> result = {{"number_of_neighbors", {3., 100.}},
+                                         {"number_of_representatives", {100., 1e9}},
+                                         {"number_of_patches", {1., 1000.}},
+                                         {"number_of_supervoxels", {1., 20000.}},
+                                         {"patch_concavity_tolerance", {0., 180.}},
+                                         {"concave_edge_weight", {0., 1.}},
+                                         {"samples_per_patch", {1., 100.}},
+                                         {"disk_radius_factor", {1e-6, 10.}},
+                                         {"clearance_factor", {0., 100.}},
+                                         {"outside_tolerance", {0., 90.}},
+                                         {"signature_threshold", {0., 1.}},
+                                         {"concave_seam_ratio", {0., 1e9}},
+                                         {"flat_share", {0., 1.}},
+                                         {"flat_visibility", {0., 1.}},
+                                         {"histogram_bins", {2., 64.}},
+                                         {"diameter_cone_angle", {1e-3, 179.}},
+                                         {"diameter_samples", {1., 1e6}},
+                                         {"diameter_rays", {1., 256.}},
+                                         {"seam_concavity_tolerance", {0., 179.}},
+                                         {"missing_diameter_distance", {0., 1e6}},
+                                         {"small_region_share", {0., 1.}},
+                                         {"small_region_exponent", {0., 100.}},
+                                         {"minimum_segment_share", {0., 1.}},
+                                         {"fitted_fusion_threshold", {0., 1.}},
+                                         {"fitted_merging_threshold", {0., 1.}},
+                                         {"band_width", {0., 1.}},
+                                         {"data_exponent", {0., 100.}},
+                                         {"data_weight", {0., 1e6}},
+                                         {"smoothness_angle", {1e-3, 180.}}};
+  for (const char* cost : {"fusion_cost", "merging_cost"})
+    for (const char* part : {"visibility_weight", "concavity_weight", "diameter_weight", "threshold"})
+      result[std::string(cost) + "." + part] = {0., 1e6};
+  return result;
+}
+
+bool is_count(const std::string& name)
+{
+  static const std::set<std::string> counts = {
+      "number_of_neighbors", "number_of_representatives", "number_of_patches",
+      "number_of_supervoxels", "samples_per_patch", "histogram_bins", "diameter_samples",
+      "diameter_rays"};
+  return counts.count(name) > 0;
+}
+
+std::string refusal(const Parameters& parameters)
+{
+  try
+  {
+    parameters.check();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal(const std::string& name, const double value)
+{
+  Parameters parameters;
+  setters().at(name)(parameters, value);
+  return refusal(parameters);
+}
+
+/// a setting that shows in the result
+struct Setting
+{
+  std::string name, preset, shape;
+  double value;
+  std::vector<std::string> others = {}; ///< what else must be set for it to matter
+};
+
+std::vector<Setting> settings()
+{
+  return {{"number_of_neighbors", "default", "dumbbell", 14.},
+          {"number_of_representatives", "default", "dumbbell", 1000.},
+          {"use_mesh_adjacency", "default", "hand", 0.},
+          {"seed", "default", "dumbbell", 9.},
+          {"number_of_patches", "default", "dumbbell", 40.},
+          {"number_of_supervoxels", "default", "dumbbell", 400.},
+          {"patch_concavity_tolerance", "default", "dumbbell", 40.},
+          {"concave_edge_weight", "default", "dumbbell", 1.},
+          {"minimum_patch_size", "default", "dumbbell", 60.},
+          {"samples_per_patch", "default", "dumbbell", 3.},
+          {"disk_radius_factor", "default", "dumbbell", 3.},
+          {"clearance_factor", "default", "dumbbell", 10.},
+          {"outside_tolerance", "default", "dumbbell", 2.},
+          {"rays_for_early_decision", "default", "dumbbell", 2.},
+          {"merging", "default", "dumbbell", 0.},
+          {"diameter", "default", "dumbbell", 0.},
+          {"refinement", "default", "dumbbell", 0.},
+          {"fusion", "paper", "dumbbell", 1.},
+          {"signature_threshold", "paper", "hand", 0.9},
+          {"concave_seam_ratio", "paper", "hand", 1e6, {"signature_threshold=1"}},
+          {"flat_share", "paper", "hand", 0.9},
+          {"flat_visibility", "paper", "hand", 0.95, {"flat_share=1"}},
+          {"histogram_bins", "default", "dumbbell", 5.},
+          {"diameter_cone_angle", "default", "dumbbell", 20.},
+          {"diameter_samples", "default", "dumbbell", 200.},
+          {"diameter_rays", "default", "dumbbell", 3.},
+          {"seam_concavity_tolerance", "default", "dumbbell", 60.},
+          {"fusion_cost.visibility_weight", "default", "dumbbell", 0.},
+          {"fusion_cost.concavity_weight", "default", "dumbbell", 0.},
+          {"fusion_cost.diameter_weight", "default", "dumbbell", 0.},
+          {"fusion_cost.threshold", "default", "dumbbell", 0.1},
+          {"merging_cost.visibility_weight", "default", "hand", 3.},
+          {"merging_cost.concavity_weight", "default", "hand", 0.},
+          {"merging_cost.diameter_weight", "default", "hand", 0.},
+          {"merging_cost.threshold", "default", "dumbbell", 100.},
+          {"missing_diameter_distance", "default", "dumbbell", 0., {"diameter_samples=30"}},
+          {"small_region_share", "default", "dumbbell", 0.5},
+          {"small_region_exponent", "default", "dumbbell", 1.},
+          {"minimum_segment_share", "default", "dumbbell", 0.4},
+          {"fitted_fusion_threshold", "fitted", "dumbbell", 0.01},
+          {"fitted_merging_threshold", "fitted", "dumbbell", 1.},
+          {"maximum_number_of_segments", "default", "dumbbell", 1.},
+          {"band_width", "default", "dumbbell", 0.1},
+          {"data_exponent", "default", "hand", 0., {"band_width=0.05"}},
+          {"data_weight", "default", "hand", 100., {"band_width=0.05"}},
+          {"smoothness_angle", "default", "hand", 90., {"band_width=0.05"}}};
+}
+
+Parameters preset_of(const Setting& setting)
+{
+  Parameters parameters = setting.preset == "paper"    ? Parameters::paper()
+                          : setting.preset == "fitted" ? Parameters::fitted()
+                                                       : Parameters();
+  for (const std::string& other : setting.others)
+    Named_parameters::set_parameter(parameters, other);
+  return parameters;
+}
+
+const Raw_points& shape(const std::string& name)
+{
+  static std::map<std::string, Raw_points> shapes;
+  const auto [slot, is_new] = shapes.emplace(name, Raw_points());
+  if (is_new)
+    slot->second = points_of_mesh(Shape_generator::make_mesh(name, name == "dumbbell" ? 3000 : 6000));
+  return slot->second;
+}
+
+/// all of a result in one row of numbers
+std::vector<double> numbers(const Result& result)
+{
+  std::vector<double> row(result.labels.begin(), result.labels.end());
+  row.insert(row.end(), result.patches.begin(), result.patches.end());
+  for (const auto& merge : result.merge_tree.merges())
+    row.insert(row.end(), {1. * merge.first, 1. * merge.second, merge.cost});
+  for (const auto& segment : result.segments)
+    row.insert(row.end(), {segment.convexity_rank, segment.diameter});
+  row.push_back(static_cast<double>(result.merge_tree.number_of_fusions()));
+  row.push_back(static_cast<double>(result.merge_tree.number_of_accepted_merges()));
+  return row;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(presets_are_in_range)
+{
+  for (const Parameters& preset : {Parameters(), Parameters::paper(), Parameters::fitted()})
+    BOOST_CHECK_EQUAL(refusal(preset), "");
+  const Parameters paper = Parameters::paper();
+  BOOST_CHECK((paper.fusion_thresholds == std::vector<double>{0.9, 0.8, 0.7}));
+  BOOST_CHECK(paper.fusion == Fusion_rule::EVERY_PAIR);
+  BOOST_CHECK(paper.refinement == Refinement_rule::ALPHA_EXPANSION);
+  BOOST_CHECK_EQUAL(paper.number_of_neighbors, 10u);
+  BOOST_CHECK_EQUAL(paper.samples_per_patch, 10u);
+  BOOST_CHECK_CLOSE(paper.diameter_cone_angle, 360. / 18., 1e-9);
+  BOOST_CHECK_CLOSE(paper.seam_concavity_tolerance, 0.05 * 180., 1e-9);
+  BOOST_CHECK_EQUAL(paper.concave_seam_ratio, 0.85);
+  BOOST_CHECK_EQUAL(paper.signature_threshold, 0.12);
+  BOOST_CHECK_EQUAL(paper.flat_visibility, 0.4);
+  BOOST_CHECK_EQUAL(paper.data_exponent, 1.5);
+  BOOST_CHECK_EQUAL(paper.data_weight, 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused_by_name)
+{
+  for (const auto& [name, range] : ranges())
+  {
+    BOOST_TEST_CONTEXT(name)
+    {
+      BOOST_CHECK_EQUAL(refusal(name, range.low), "");
+      BOOST_CHECK_EQUAL(refusal(name, range.high), "");
+      const std::string full_name = "Parameters::" + name + " is ";
+      const double step = is_count(name) ? 1. : 1e-3 * range.high;
+      BOOST_CHECK_NE(refusal(name, range.high + step).find(full_name), std::string::npos);
+      if (is_count(name))
+        BOOST_CHECK_NE(refusal(name, range.low - 1.).find(full_name), std::string::npos);
+      else
+        for (const double bad : {range.low - step, std::numeric_limits<double>::quiet_NaN(),
+                                 std::numeric_limits<double>::infinity()})
+          BOOST_CHECK_NE(refusal(name, bad).find(full_name), std::string::npos);
+    }
+  }
+  for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()})
+  {
+    Parameters parameters;
+    parameters.fusion_thresholds = {0.5, bad};
+    BOOST_CHECK_NE(refusal(parameters).find("fusion_thresholds"), std::string::npos);
+  }
+  // a run refuses them too
+  Parameters parameters;
+  parameters.number_of_neighbors = 2;
+  BOOST_CHECK_THROW(segment_points(shape("dumbbell"), parameters, Run_control()),
+                    std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(no_parameter_is_forgotten_here)
+{
+  std::set<std::string> known, tested;
+  for (const auto& entry : setters()) known.insert(entry.first);
+  for (const Setting& setting : settings()) tested.insert(setting.name);
+  BOOST_CHECK_EQUAL_COLLECTIONS(known.begin(), known.end(), tested.begin(), tested.end());
+}
+
+BOOST_AUTO_TEST_CASE(every_parameter_changes_something)
+{
+  std::map<std::string, std::vector<double>> known; // results by what was set
+  for (const Setting& setting : settings())
+  {
+    Parameters parameters = preset_of(setting);
+    std::string key = setting.preset + " " + setting.shape;
+    for (const std::string& other : setting.others) key += " " + other;
+    auto& usual = known[key];
+    if (usual.empty())
+      usual = numbers(segment_points(shape(setting.shape), parameters, Run_control()));
+    setters().at(setting.name)(parameters, setting.value);
+    const Result changed = segment_points(shape(setting.shape), parameters, Run_control());
+    BOOST_CHECK_MESSAGE(numbers(changed) != usual, setting.name << " has changed nothing");
+  }
+  Parameters parameters = Parameters::paper();
+  parameters.fusion_thresholds = {0.2};
+  BOOST_CHECK(numbers(segment_points(shape("hand"), parameters, Run_control())) !=
+              known.at("paper hand"));
+}

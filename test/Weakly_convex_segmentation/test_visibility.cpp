@@ -1,0 +1,361 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE Visibility
+#include <boost/test/included/unit_test.hpp>
+
+#include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
+
+#include "shapes_for_tests.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Lines of sight against oriented disks (sections 3 and 4) and the convexity rank (equation 1).
+
+namespace {
+
+using CGAL::Weakly_convex_segmentation::Parameters;
+using namespace CGAL::Weakly_convex_segmentation::internal;
+using namespace Shapes_for_tests;
+
+constexpr float pi = 3.14159265f;
+
+struct Scene
+{
+  Oriented_points points;
+  Neighbor_graph graph;
+  Parameters parameters;
+  std::unique_ptr<Sight> sight;
+
+  explicit Scene(const Raw_points& raw, const Parameters& p = {})
+      : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false)), parameters(p)
+  {
+    sight = std::make_unique<Sight>(points, graph, parameters);
+    m_rank.resize(points.size());
+    for (Index i = 0; i < points.size(); ++i) m_rank[points.elements[i]] = i;
+    m_raw = raw;
+  }
+
+  /// the point nearest to a position of the input whose normal is within 60 degrees of `normal`
+  Index at(const Coordinates& position, const Coordinates& normal) const
+  {
+    double best = std::numeric_limits<double>::infinity();
+    Index result = 0;
+    for (std::size_t i = 0; i < m_rank.size(); ++i)
+    {
+      const Coordinates d = plus(m_raw.positions[i], position, -1.);
+      const double distance = std::hypot(d[0], d[1], d[2]);
+      const Vector3 n = {float(normal[0]), float(normal[1]), float(normal[2])};
+      if (distance >= best || dot(points.normals[m_rank[i]], n) < 0.5f) continue;
+      best = distance;
+      result = m_rank[i];
+    }
+    return result;
+  }
+  bool sees(const Index i, const Index j) const
+  {
+    BOOST_CHECK_EQUAL(sight->sees(i, j), sight->sees(j, i));
+    return sight->sees(i, j);
+  }
+  std::vector<Index> all() const
+  {
+    std::vector<Index> result(points.size());
+    for (Index i = 0; i < result.size(); ++i) result[i] = i;
+    return result;
+  }
+  double rank() const { return convexity_rank(*sight, all(), 150, 5.); }
+
+private:
+  std::vector<Index> m_rank;
+  Raw_points m_raw;
+};
+
+Raw_points mesh_points(const std::string& name, const std::size_t faces = 6000)
+{
+  return points_of_mesh(Shape_generator::make_mesh(name, faces));
+}
+
+Vector3 random_vector(std::mt19937& random, const float size)
+{
+  const auto number = [&] { return size * static_cast<float>(2. * uniform(random) - 1.); };
+  const float x = number(), y = number();
+  return {x, y, number()};
+}
+
+std::vector<Disk> random_disks(const std::size_t count, std::mt19937& random)
+{
+  std::vector<Disk> disks;
+  for (std::size_t i = 0; i < count; ++i)
+    disks.push_back({random_vector(random, 0.5f), normalized(random_vector(random, 1.f)),
+                     0.06f * static_cast<float>(uniform(random))});
+  return disks;
+}
+
+/// the definition in double precision; the last argument receives how near the decision was
+bool occludes(const Disk& disk, const Vector3& p, const Vector3& q, const double clearance,
+              double& margin)
+{
+  const auto product = [](const Vector3& a, const Vector3& b)
+  { return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z; };
+  const Vector3 direction = q - p, to_center = disk.center - p;
+  const double t = product(disk.normal, to_center) / product(disk.normal, direction);
+  const Vector3 miss = static_cast<float>(t) * direction - to_center;
+  const double from_center = std::sqrt(product(miss, miss)) - disk.radius;
+  const double from_p = length(disk.center - p) - clearance * disk.radius;
+  const double from_q = length(disk.center - q) - clearance * disk.radius;
+  margin = (std::min)({std::abs(t), std::abs(1. - t), std::abs(from_center), std::abs(from_p),
+                       std::abs(from_q)});
+  return t > 0. && t < 1. && from_center < 0. && from_p > 0. && from_q > 0.;
+}
+
+/// a pipe along z from 0 to 1: an outer wall of radius 1 and an inner one of radius 0.8
+Raw_points pipe()
+{
+  Raw_points raw;
+  for (int i = 0; i < 150; ++i)
+    for (int j = 0; j < 26; ++j)
+    {
+      const double a = 2. * static_cast<double>(pi) * i / 150., z = j / 25.;
+      const Coordinates out = {std::cos(a), std::sin(a), 0.};
+      add_point(raw, plus({0., 0., z}, out), out);
+      add_point(raw, plus({0., 0., z}, out, 0.8), {-out[0], -out[1], 0.});
+    }
+  return raw;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_line_crosses_a_disk)
+{
+  const Disk disk = {{0.f, 0.f, 0.5f}, {0.f, 0.f, 1.f}, 0.1f};
+  const auto where = [&](const Vector3& p, const Vector3& q, const float clearance)
+  { return crossing(Line_of_sight(p, q), disk, clearance); };
+  constexpr float none = (std::numeric_limits<float>::max)();
+  const Vector3 below = {0.05f, 0.f, 0.f}, above = {0.05f, 0.f, 2.f};
+  BOOST_CHECK_CLOSE(where(below, above, 2.f), 0.25f, 1e-3);
+  BOOST_CHECK_CLOSE(where(above, below, 2.f), 0.75f, 1e-3);
+  BOOST_CHECK_EQUAL(where({0.2f, 0.f, 0.f}, {0.2f, 0.f, 1.f}, 2.f), none);   // beside
+  BOOST_CHECK_EQUAL(where({0.f, 0.f, 0.f}, {0.f, 0.f, 0.4f}, 0.f), none);    // ends before
+  BOOST_CHECK_EQUAL(where({-1.f, 0.f, 0.5f}, {1.f, 0.f, 0.5f}, 0.f), none);  // in its plane
+  BOOST_CHECK_EQUAL(where(below, below, 2.f), none);                         // no line at all
+  // an end nearer than the clearance
+  BOOST_CHECK_EQUAL(where(below, above, 6.f), none);
+  BOOST_CHECK_NE(where(below, above, 5.f), none);
+  BOOST_CHECK_EQUAL(where(above, below, 6.f), none);
+}
+
+BOOST_AUTO_TEST_CASE(the_tree_finds_what_brute_force_finds)
+{
+  std::mt19937 random(1);
+  std::size_t hits = 0, misses = 0, exits = 0, unclear = 0;
+  for (const std::size_t count : {1u, 2u, 3u, 40u, 700u})
+  {
+    const std::vector<Disk> disks = random_disks(count, random);
+    const float clearance = 2.f;
+    const Disk_tree tree(disks, clearance);
+    BOOST_CHECK_EQUAL(tree.size(), count);
+    for (int line = 0; line < 1500; ++line)
+    {
+      const Vector3 p = random_vector(random, 0.6f), q = random_vector(random, 0.6f);
+      bool hit = false, clear = true;
+      for (const Disk& disk : disks)
+      {
+        double margin = 0.;
+        hit = occludes(disk, p, q, clearance, margin) || hit;
+        clear = clear && margin > 1e-5;
+      }
+      const bool found = !tree.unoccluded(p, q);
+      if (clear) BOOST_REQUIRE_EQUAL(found, hit);
+      unclear += clear ? 0 : 1;
+      (hit ? hits : misses) += 1;
+
+      const Vector3 direction = normalized(q - p);
+      float first = std::numeric_limits<float>::infinity();
+      const Line_of_sight ray(p, p + 2.f * direction); // no clearance at the end of a ray
+      for (const Disk& disk : disks)
+        if (dot(disk.normal, direction) > 0.f)
+        {
+          const float t = crossing(ray, disk, clearance);
+          if (t < 0.5f) first = (std::min)(first, 2.f * t);
+        }
+      const auto exit = tree.first_exit(p, direction, 1.f);
+      BOOST_REQUIRE_EQUAL(std::isfinite(exit.distance), std::isfinite(first));
+      if (std::isfinite(first))
+      {
+        ++exits;
+        BOOST_REQUIRE_CLOSE(exit.distance, first, 1e-3);
+      }
+    }
+  }
+  BOOST_CHECK_GT(hits, 300u);
+  BOOST_CHECK_GT(misses, 300u);
+  BOOST_CHECK_GT(exits, 300u);
+  BOOST_CHECK_LT(unclear, (hits + misses) / 10);
+}
+
+BOOST_AUTO_TEST_CASE(first_exit_stops_at_its_reach)
+{
+  const std::vector<Disk> disks = {{{0.f, 0.f, 0.5f}, {0.f, 0.f, 1.f}, 0.1f},
+                                   {{0.f, 0.f, 0.8f}, {0.f, 0.f, 1.f}, 0.1f},
+                                   {{0.f, 0.f, 0.3f}, {0.f, 0.f, -1.f}, 0.1f}};
+  const Disk_tree tree(disks, 1.f);
+  const Vector3 up = {0.f, 0.f, 1.f};
+  BOOST_CHECK_CLOSE(tree.first_exit({0.f, 0.f, 0.f}, up, 1.f).distance, 0.5f, 1e-3); // not 0.3
+  BOOST_CHECK(std::isinf(tree.first_exit({0.f, 0.f, 0.f}, up, 0.49f).distance));
+  BOOST_CHECK_CLOSE(tree.first_exit({0.f, 0.f, 0.f}, up, 0.51f).distance, 0.5f, 1e-3); // near the end
+  BOOST_CHECK_CLOSE(tree.first_exit({0.f, 0.f, 0.f}, up, 10.f).distance, 0.5f, 1e-3);
+  BOOST_CHECK(std::isinf(tree.first_exit({0.f, 0.5f, 0.f}, up, 10.f).distance));
+}
+
+BOOST_AUTO_TEST_CASE(all_points_of_a_sphere_see_each_other)
+{
+  Raw_points raw;
+  add_sphere(raw, {0., 0., 0.}, 1., 3000);
+  const Scene scene(raw);
+  std::size_t blind = 0;
+  for (Index i = 0; i < 3000; i += 17)
+    for (Index j = 0; j < i; j += 13) blind += scene.sees(i, j) ? 0 : 1;
+  BOOST_CHECK_EQUAL(blind, 0u);
+}
+
+BOOST_AUTO_TEST_CASE(walls_occlude_and_a_cavity_counts_as_far_as_is_tolerated)
+{
+  const Scene scene(pipe());
+  const Coordinates left = {-1., 0., 0.}, right = {1., 0., 0.};
+  const Index outer_left = scene.at({-1., 0., 0.5}, left), outer_right = scene.at({1., 0., 0.5}, right);
+  const Index inner_left = scene.at({-0.8, 0., 0.5}, right);
+  const Index inner_right = scene.at({0.8, 0., 0.5}, left);
+  BOOST_CHECK(!scene.sees(outer_left, outer_right)); // two walls between them
+  BOOST_CHECK(!scene.sees(outer_left, inner_right)); // one
+  BOOST_CHECK(scene.sees(outer_left, inner_left));   // through the material
+  BOOST_CHECK(scene.sees(inner_left, inner_right));  // across the cavity: tolerated by 90 degrees
+  BOOST_CHECK(!scene.sight->sees_inside(inner_left, inner_right, 5.));
+  BOOST_CHECK(scene.sight->sees_inside(outer_left, inner_left, 5.));
+  Parameters strict;
+  strict.outside_tolerance = 10.;
+  const Scene inside_only(pipe(), strict);
+  BOOST_CHECK(!inside_only.sees(inner_left, inner_right));
+  BOOST_CHECK(inside_only.sees(outer_left, inner_left));
+}
+
+BOOST_AUTO_TEST_CASE(a_line_round_the_corner_of_an_l_is_occluded)
+{
+  const Scene scene(mesh_points("l_shape"));
+  const Index foot = scene.at({0.5, 0., 0.15}, {1., 0., 0.});
+  const Index top = scene.at({-0.25, 0., 1.}, {0., 0., 1.});
+  const Index heel = scene.at({-0.4, 0., 0.15}, {-1., 0., 0.});
+  BOOST_CHECK(!scene.sees(foot, top));
+  BOOST_CHECK(scene.sees(foot, heel));
+  BOOST_CHECK(scene.sees(top, heel));
+}
+
+BOOST_AUTO_TEST_CASE(disks_and_clearance_follow_their_parameters)
+{
+  Parameters parameters;
+  parameters.clearance_factor = 100.; // every disk is near to an end
+  const Scene scene(pipe(), parameters);
+  BOOST_CHECK(scene.sees(scene.at({-1., 0., 0.5}, {-1., 0., 0.}), scene.at({1., 0., 0.5}, {1., 0., 0.})));
+  parameters = Parameters();
+  parameters.disk_radius_factor = 0.01; // too small to hit
+  const Scene holes(pipe(), parameters);
+  BOOST_CHECK(holes.sees(holes.at({-1., 0.01, 0.53}, {-1., 0., 0.}),
+                         holes.at({1., 0.06, 0.41}, {1., 0., 0.})));
+  const std::vector<Disk> disks = make_disks(scene.points, scene.graph, 2.5);
+  BOOST_CHECK_CLOSE(disks[100].radius, 2.5f * scene.graph.spacing[100], 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(visibility_of_patches_is_symmetric_and_kept)
+{
+  Parameters parameters;
+  const Scene scene(mesh_points("l_shape"), parameters);
+  const Patches patches = extract_patches(scene.points, scene.graph, parameters);
+  parameters.rays_for_early_decision = 0;
+  Patch_visibility full(*scene.sight, patches, parameters, false);
+  Patch_visibility mirrored(*scene.sight, patches, parameters, false);
+  parameters.rays_for_early_decision = 10;
+  Patch_visibility early(*scene.sight, patches, parameters, false);
+  BOOST_REQUIRE_EQUAL(full.number_of_patches(), patches.size());
+  const int n = static_cast<int>(patches.size());
+  std::vector<std::pair<int, int>> pairs;
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < a; ++b) pairs.push_back({a, b});
+  mirrored.prepare(pairs);
+  BOOST_CHECK_EQUAL(mirrored.known_pairs(), pairs.size());
+  BOOST_CHECK_EQUAL(full.known_pairs(), 0u); // nothing before it is asked for
+  double difference = 0.;
+  std::size_t blind = 0;
+  for (const auto& [a, b] : pairs)
+  {
+    const double ratio = full(a, b);
+    BOOST_REQUIRE(ratio >= 0. && ratio <= 1.);
+    BOOST_REQUIRE_EQUAL(full(b, a), ratio);
+    BOOST_REQUIRE_EQUAL(mirrored(b, a), ratio);
+    if (ratio == 0. || ratio == 1.)
+      BOOST_REQUIRE_EQUAL(early(a, b), ratio);
+    difference += std::abs(early(a, b) - ratio);
+    blind += ratio == 0. ? 1 : 0;
+  }
+  BOOST_CHECK_EQUAL(full.known_pairs(), pairs.size());
+  BOOST_CHECK_LT(difference / static_cast<double>(pairs.size()), 0.02);
+  BOOST_CHECK_GT(blind, pairs.size() / 20); // round the corner
+}
+
+BOOST_AUTO_TEST_CASE(samples_are_spread_over_a_patch)
+{
+  const std::vector<Index> members = {3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  BOOST_CHECK(spread_sample(members, 10) == members);
+  BOOST_CHECK(spread_sample(members, 99) == members);
+  BOOST_CHECK((spread_sample(members, 2) == std::vector<Index>{5, 10}));
+  BOOST_CHECK((spread_sample(members, 1) == std::vector<Index>{8}));
+}
+
+BOOST_AUTO_TEST_CASE(convexity_rank_of_known_shapes)
+{
+  BOOST_CHECK_GT(Scene(mesh_points("sphere")).rank(), 0.99);
+  BOOST_CHECK_GT(Scene(mesh_points("box")).rank(), 0.99);
+  const double l_shape = Scene(mesh_points("l_shape")).rank();
+  BOOST_CHECK_GT(l_shape, 0.4);
+  BOOST_CHECK_LT(l_shape, 0.85);
+  BOOST_CHECK_LT(Scene(mesh_points("torus")).rank(), 0.75);
+  BOOST_CHECK_LT(Scene(mesh_points("cup")).rank(), 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(convexity_rank_of_a_subset_is_its_own)
+{
+  const Raw_points raw = mesh_points("l_shape");
+  const Scene scene(raw);
+  std::vector<Index> foot;
+  for (Index i = 0; i < scene.points.size(); ++i)
+    if (raw.positions[scene.points.elements[i]][2] < 0.3) foot.push_back(i);
+  BOOST_CHECK_GT(convexity_rank(*scene.sight, foot, 100, 5.), 0.95);
+  BOOST_CHECK_EQUAL(convexity_rank(*scene.sight, {}, 100, 5.), 1.);
+  BOOST_CHECK_EQUAL(convexity_rank(*scene.sight, {7}, 100, 5.), 1.);
+}
+
+BOOST_AUTO_TEST_CASE(equation_1_by_hand)
+{
+  // A and B on one side of a wall, C on the other; each is a heap of equal points, whose disks have
+  // no size, and all lie in the plane of their normals' tangents
+  Raw_points raw;
+  const Coordinates y = {0., 1., 0.};
+  for (int i = 0; i < 12; ++i) add_point(raw, {-1., 0., 0.}, y);
+  for (int i = 0; i < 12; ++i) add_point(raw, {-1., 0., 1.}, y);
+  for (int i = 0; i < 12; ++i) add_point(raw, {1., 0., 0.5}, y);
+  add_rectangle(raw, {0., -0.5, -0.5}, {0., 0.05, 0.}, {0., 0., 0.05}, 20, 40, {1., 0., 0.});
+  const Scene scene(raw);
+  const Index a = scene.at({-1., 0., 0.}, y), b = scene.at({-1., 0., 1.}, y);
+  const Index c = scene.at({1., 0., 0.5}, y);
+  BOOST_CHECK(scene.sees(a, b));
+  BOOST_CHECK(!scene.sees(a, c));
+  BOOST_CHECK_CLOSE(convexity_rank(*scene.sight, {a, b, c}, 10, 5.), 5. / 9., 1e-6);
+  BOOST_CHECK_CLOSE(convexity_rank(*scene.sight, {a, c}, 10, 5.), 0.5, 1e-6);
+  BOOST_CHECK_EQUAL(convexity_rank(*scene.sight, {a, b}, 10, 5.), 1.);
+}
