@@ -39,13 +39,13 @@ Options parse(int argc, char* argv[])
   po::options_description visible("make_shapes [options] [NAME...]\n"
                                   "Writes the named shapes with their true parts; without a name, "
                                   "all shapes.\nOptions");
-  visible.add_options()
-    ("help,h", po::bool_switch(&options.help), "show this text and the names of the shapes")
-    ("output,o", po::value(&options.directory)->default_value("."), "directory to write to")
-    ("faces", po::value(&options.faces)->default_value(12000), "faces of a mesh, about")
-    ("points", po::value(&options.points)->default_value(20000), "points of a cloud")
-    ("cloud", po::bool_switch(&options.cloud), "write point clouds instead of meshes")
-    ("seed", po::value(&options.seed)->default_value(0), "seed of all that is random");
+  visible.add_options()("help,h", po::bool_switch(&options.help),
+                        "show this text and the names of the shapes")(
+      "output,o", po::value(&options.directory)->default_value("."), "directory to write to")(
+      "faces", po::value(&options.faces)->default_value(12000), "faces of a mesh, about")(
+      "points", po::value(&options.points)->default_value(20000), "points of a cloud")(
+      "cloud", po::bool_switch(&options.cloud), "write point clouds instead of meshes")(
+      "seed", po::value(&options.seed)->default_value(0), "seed of all that is random");
   po::options_description all;
   all.add(visible).add_options()("name", po::value(&options.names));
   po::positional_options_description positional;
@@ -53,19 +53,18 @@ Options parse(int argc, char* argv[])
   po::variables_map values;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
   po::notify(values);
-  if(options.help) {
+  if (options.help)
+  {
     std::cout << visible << "Shapes:";
-    for(const std::string& name : Shape_generator::shape_names())
-      std::cout << ' ' << name;
+    for (const std::string& name : Shape_generator::shape_names()) std::cout << ' ' << name;
     std::cout << '\n';
   }
   // Read as signed numbers, as a minus sign would else turn into a huge number of faces.
-  if(options.faces < 1000 || options.faces > 2000000)
+  if (options.faces < 1000 || options.faces > 2000000)
     throw std::invalid_argument("--faces has to be from 1000 to 2000000");
-  if(options.points < 1 || options.points > 10000000)
+  if (options.points < 1 || options.points > 10000000)
     throw std::invalid_argument("--points has to be from 1 to 10000000");
-  if(options.names.empty())
-    options.names = Shape_generator::shape_names();
+  if (options.names.empty()) options.names = Shape_generator::shape_names();
   return options;
 }
 
@@ -75,20 +74,23 @@ template <class Write>
 void write_file(const std::filesystem::path& file, const Write& write)
 {
   const std::filesystem::path unfinished = file.string() + ".unfinished";
-  try {
+  try
+  {
     std::ofstream out(unfinished);
     out.precision(9);
     write(out);
     out.close();
-    if(!out)
+    if (!out)
       throw std::runtime_error("cannot write " + file.string() +
                                "; is the directory writable and the disk not full?");
     std::error_code error;
     std::filesystem::rename(unfinished, file, error);
-    if(error)
+    if (error)
       throw std::runtime_error("cannot replace " + file.string() + " (" + error.message() +
                                "); remove it or choose another directory with -o");
-  } catch(...) {
+  }
+  catch (...)
+  {
     std::error_code ignored;
     std::filesystem::remove(unfinished, ignored);
     throw;
@@ -97,39 +99,42 @@ void write_file(const std::filesystem::path& file, const Write& write)
 
 void write_labels(const std::filesystem::path& file, const std::vector<int>& labels)
 {
-  write_file(file, [&](std::ostream& out) {
-    for(int label : labels)
-      out << label << '\n';
-  });
+  write_file(file,
+             [&](std::ostream& out)
+             {
+               for (int label : labels) out << label << '\n';
+             });
 }
 
 void write_mesh(const std::filesystem::path& base, const Shape_generator::Labeled_mesh& mesh)
 {
-  write_file(base.string() + ".off", [&](std::ostream& out) {
-    out << "OFF\n" << mesh.points.size() << ' ' << mesh.faces.size() << " 0\n";
-    for(const auto& p : mesh.points)
-      out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-    for(const auto& f : mesh.faces)
-      out << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
-  });
+  write_file(base.string() + ".off",
+             [&](std::ostream& out)
+             {
+               out << "OFF\n" << mesh.points.size() << ' ' << mesh.faces.size() << " 0\n";
+               for (const auto& p : mesh.points) out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+               for (const auto& f : mesh.faces)
+                 out << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
+             });
   write_labels(base.string() + ".seg", mesh.labels);
 }
 
 void write_cloud(const std::filesystem::path& base, const Shape_generator::Labeled_cloud& cloud)
 {
-  write_file(base.string() + ".ply", [&](std::ostream& out) {
-    out << "ply\nformat ascii 1.0\nelement vertex " << cloud.points.size() << '\n';
-    for(const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-      out << "property double " << name << '\n';
-    out << "property int label\nend_header\n";
-    for(std::size_t i = 0; i < cloud.points.size(); ++i) {
-      for(double x : cloud.points[i])
-        out << x << ' ';
-      for(double x : cloud.normals[i])
-        out << x << ' ';
-      out << cloud.labels[i] << '\n';
-    }
-  });
+  write_file(base.string() + ".ply",
+             [&](std::ostream& out)
+             {
+               out << "ply\nformat ascii 1.0\nelement vertex " << cloud.points.size() << '\n';
+               for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
+                 out << "property double " << name << '\n';
+               out << "property int label\nend_header\n";
+               for (std::size_t i = 0; i < cloud.points.size(); ++i)
+               {
+                 for (double x : cloud.points[i]) out << x << ' ';
+                 for (double x : cloud.normals[i]) out << x << ' ';
+                 out << cloud.labels[i] << '\n';
+               }
+             });
   write_labels(base.string() + ".seg", cloud.labels);
 }
 
@@ -138,18 +143,19 @@ void make_shapes(const Options& options)
   const std::filesystem::path directory = options.directory;
   std::error_code error;
   std::filesystem::create_directories(directory, error);
-  if(error)
+  if (error)
     throw std::runtime_error("cannot make the directory " + options.directory + " (" +
                              error.message() + "); choose another one with -o");
-  for(const std::string& name : options.names) {
-    if(options.cloud)
+  for (const std::string& name : options.names)
+  {
+    if (options.cloud)
       write_cloud(directory / name,
                   Shape_generator::make_cloud(name, static_cast<std::size_t>(options.points),
                                               options.seed));
     else
-      write_mesh(directory / name,
-                 Shape_generator::make_mesh(name, static_cast<std::size_t>(options.faces),
-                                            options.seed));
+      write_mesh(
+          directory / name,
+          Shape_generator::make_mesh(name, static_cast<std::size_t>(options.faces), options.seed));
   }
 }
 
@@ -157,12 +163,14 @@ void make_shapes(const Options& options)
 
 int main(int argc, char* argv[])
 {
-  try {
+  try
+  {
     const Options options = parse(argc, argv);
-    if(!options.help)
-      make_shapes(options);
+    if (!options.help) make_shapes(options);
     return EXIT_SUCCESS;
-  } catch(const std::exception& e) {
+  }
+  catch (const std::exception& e)
+  {
     std::cerr << "make_shapes: " << e.what() << '\n';
     return EXIT_FAILURE;
   }

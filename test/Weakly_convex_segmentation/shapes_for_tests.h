@@ -25,10 +25,7 @@ using CGAL::Weakly_convex_segmentation::internal::Raw_points;
 using Coordinates = std::array<double, 3>;
 
 /// a number in [0, 1) that is the same with every standard library
-inline double uniform(std::mt19937& random)
-{
-  return static_cast<double>(random()) / 4294967296.;
-}
+inline double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.; }
 
 inline Coordinates plus(const Coordinates& a, const Coordinates& b, const double factor = 1.)
 {

@@ -36,9 +36,8 @@ struct Surface
   Neighbor_graph graph;
 
   explicit Surface(const Raw_points& r)
-      : raw(r), points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false))
-  {
-  }
+    : raw(r), points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false))
+  {}
   /// labels of the points from a function of the input's position
   template <typename Label>
   std::vector<int> labels(const Label& label) const
@@ -57,10 +56,7 @@ Surface plane(const int n)
 }
 
 /// two walls at a concave edge, unfolded: along the floor x > 0, up the wall -z < 0
-double unfolded(const Coordinates& p)
-{
-  return p[0] > 0. ? p[0] : -p[2];
-}
+double unfolded(const Coordinates& p) { return p[0] > 0. ? p[0] : -p[2]; }
 
 /// a zigzag about the edge
 double zigzag(const Coordinates& p)
@@ -116,8 +112,7 @@ std::vector<int> labels_of_cgal(const Labeling_problem& problem, const std::vect
   {
     double cost;
   };
-  using Graph =
-      boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Vertex, Edge>;
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Vertex, Edge>;
   Graph graph(labels.size());
   for (std::size_t v = 0; v < labels.size(); ++v)
     graph[v] = {static_cast<std::size_t>(labels[v]), problem.label_costs[v]};
@@ -129,7 +124,8 @@ std::vector<int> labels_of_cgal(const Labeling_problem& problem, const std::vect
       CGAL::parameters::vertex_index_map(boost::get(boost::vertex_index, graph))
           .implementation_tag(CGAL::Alpha_expansion_boost_compressed_sparse_row_tag()));
   std::vector<int> result;
-  for (std::size_t v = 0; v < labels.size(); ++v) result.push_back(static_cast<int>(graph[v].label));
+  for (std::size_t v = 0; v < labels.size(); ++v)
+    result.push_back(static_cast<int>(graph[v].label));
   return result;
 }
 
@@ -199,8 +195,8 @@ BOOST_AUTO_TEST_CASE(a_border_out_of_reach_of_the_edge_stays_off_it)
 BOOST_AUTO_TEST_CASE(straight_borders_on_a_plane_stay)
 {
   const Surface surface = plane(40);
-  const auto straight =
-      surface.labels([](const Coordinates& p) { return (p[0] < 0.5 ? 0 : 1) + (p[1] < 0.5 ? 0 : 2); });
+  const auto straight = surface.labels([](const Coordinates& p)
+                                       { return (p[0] < 0.5 ? 0 : 1) + (p[1] < 0.5 ? 0 : 2); });
   for (const Refinement_rule refinement : both_rules)
   {
     std::vector<int> labels = straight;
@@ -234,7 +230,8 @@ BOOST_AUTO_TEST_CASE(islands_go_and_isolated_pieces_stay)
   Raw_points raw = plane(60).raw;
   add_rectangle(raw, {9., 0., 0.}, {0.02, 0., 0.}, {0., 0.02, 0.}, 4, 3, {0., 0., 1.}); // apart
   const Surface surface(raw);
-  const auto clean = surface.labels([](const Coordinates& p) { return p[0] < 0.5 || p[0] > 8. ? 0 : 1; });
+  const auto clean =
+      surface.labels([](const Coordinates& p) { return p[0] < 0.5 || p[0] > 8. ? 0 : 1; });
   auto labels = clean;
   std::size_t island = 0;
   for (std::size_t i = 0; i < labels.size(); ++i)
@@ -266,7 +263,8 @@ BOOST_AUTO_TEST_CASE(equal_points_on_both_sides_of_a_border_are_no_trouble)
   for (std::size_t i = 0; i < half; ++i) add_point(raw, raw.positions[i], raw.normals[i]);
   const Surface surface(raw);
   std::vector<int> twins(raw.positions.size());
-  for (std::size_t i = 0; i < twins.size(); ++i) twins[i] = surface.points.elements[i] < half ? 0 : 1;
+  for (std::size_t i = 0; i < twins.size(); ++i)
+    twins[i] = surface.points.elements[i] < half ? 0 : 1;
   for (const Refinement_rule refinement : both_rules)
     for (const double width : {1e-6, 0.05})
     {

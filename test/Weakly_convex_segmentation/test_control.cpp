@@ -24,10 +24,10 @@
 namespace {
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
+using Shapes_for_tests::rand_distance;
 using WCS::Parameters;
 using WCS::Result;
 using WCS::Stage;
-using Shapes_for_tests::rand_distance;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
@@ -72,7 +72,8 @@ template <typename Tag = CGAL::Sequential_tag, typename NamedParameters>
 Result segment(const Parameters& parameters, const NamedParameters& np)
 {
   std::vector<int> written;
-  Result result = CGAL::weakly_convex_segmentation<Tag>(hand(), Label_writer{&written}, parameters, np);
+  Result result =
+      CGAL::weakly_convex_segmentation<Tag>(hand(), Label_writer{&written}, parameters, np);
   BOOST_REQUIRE(written == result.labels);
   return result;
 }
@@ -96,8 +97,8 @@ struct Recorder : WCS::Visitor
   void merged(const int first, const int second, const double cost) override
   {
     const auto& [begins, stage, size] = events.back();
-    merged_outside =
-        merged_outside || !begins || size != 0 || (stage != Stage::FUSION && stage != Stage::MERGING);
+    merged_outside = merged_outside || !begins || size != 0 ||
+                     (stage != Stage::FUSION && stage != Stage::MERGING);
     merges.push_back({first, second, cost});
   }
 };
@@ -246,8 +247,8 @@ BOOST_AUTO_TEST_CASE(two_threads_do_not_disturb_each_other)
         [i, &results]
         {
           std::vector<int> written;
-          results[i] = CGAL::weakly_convex_segmentation(hand(), Label_writer{&written}, presets[i],
-                                                        maps());
+          results[i] =
+              CGAL::weakly_convex_segmentation(hand(), Label_writer{&written}, presets[i], maps());
         });
   for (std::thread& thread : threads) thread.join();
   for (std::size_t i = 0; i < presets.size(); ++i)

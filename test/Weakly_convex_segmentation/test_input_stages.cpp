@@ -183,9 +183,9 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name)
 {
   BOOST_CHECK(message_of_refusal(random_points(5, 4)).empty());
   BOOST_CHECK(message_of_refusal(Raw_points()).find("no points") != std::string::npos);
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity(),
-                           -std::numeric_limits<double>::infinity()})
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()})
   {
     Raw_points raw = random_points(200, 4);
     raw.positions[137][1] = bad;
@@ -233,7 +233,8 @@ BOOST_AUTO_TEST_CASE(representatives_are_about_as_many_as_wanted_and_near_their_
     }
     BOOST_CHECK(all_near);
     BOOST_CHECK(all_facing);
-    BOOST_CHECK_EQUAL(std::count(used.begin(), used.end(), 1), used.size()); // none stands for nobody
+    BOOST_CHECK_EQUAL(std::count(used.begin(), used.end(), 1),
+                      used.size()); // none stands for nobody
   }
 }
 
@@ -273,8 +274,8 @@ BOOST_AUTO_TEST_CASE(heaps_of_duplicates_and_far_outliers_do_not_collapse)
   const Representatives chosen = choose_representatives(points, 5000);
   float farthest = 0.f;
   for (std::size_t i = 0; i < points.size(); ++i)
-    farthest = (std::max)(farthest, length(chosen.points.positions[chosen.of_point[i]] -
-                                           points.positions[i]));
+    farthest = (std::max)(
+        farthest, length(chosen.points.positions[chosen.of_point[i]] - points.positions[i]));
   BOOST_CHECK_GE(chosen.points.size(), 60u);
   BOOST_CHECK_LT(farthest, 1e-4f);
 
@@ -285,9 +286,8 @@ BOOST_AUTO_TEST_CASE(heaps_of_duplicates_and_far_outliers_do_not_collapse)
   const Oriented_points with_outlier = orient_points(ball);
   const Representatives of_ball = choose_representatives(with_outlier, 5000);
   for (std::size_t i = 0; i < with_outlier.size(); ++i)
-    BOOST_REQUIRE_LT(length(of_ball.points.positions[of_ball.of_point[i]] -
-                            with_outlier.positions[i]),
-                     1e-4f);
+    BOOST_REQUIRE_LT(
+        length(of_ball.points.positions[of_ball.of_point[i]] - with_outlier.positions[i]), 1e-4f);
 }
 
 BOOST_AUTO_TEST_CASE(neighbors_are_the_k_nearest)
@@ -386,5 +386,6 @@ BOOST_AUTO_TEST_CASE(missing_normals_come_from_the_neighbors)
   raw.normals[44] = {0., 0., 0.};
   Oriented_points points = orient_points(raw);
   build_neighbor_graph(points, 10, false);
-  for (const Vector3& n : points.normals) BOOST_CHECK_SMALL(length(n - Vector3{0.f, 1.f, 0.f}), 1e-5f);
+  for (const Vector3& n : points.normals)
+    BOOST_CHECK_SMALL(length(n - Vector3{0.f, 1.f, 0.f}), 1e-5f);
 }

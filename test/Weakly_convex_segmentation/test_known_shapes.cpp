@@ -189,7 +189,8 @@ BOOST_AUTO_TEST_CASE(order_does_not_matter)
         std::mt19937 random(11);
         std::vector<std::size_t> order(mesh.faces.size());
         std::iota(order.begin(), order.end(), std::size_t(0));
-        for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[random() % (i + 1)]);
+        for (std::size_t i = order.size() - 1; i > 0; --i)
+          std::swap(order[i], order[random() % (i + 1)]);
         Labeled_mesh shuffled = mesh;
         for (std::size_t i = 0; i < order.size(); ++i)
         {

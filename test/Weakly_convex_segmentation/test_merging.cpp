@@ -56,7 +56,7 @@ struct Shape
   /// patches in a row of `sizes` points, with hand-made neighbor edges of a concavity in degrees
   Shape(const std::vector<std::size_t>& sizes,
         const std::vector<std::tuple<Index, Index, double>>& edges, const Parameters& p)
-      : parameters(p)
+    : parameters(p)
   {
     Raw_points raw;
     for (const std::size_t size : sizes)
@@ -159,7 +159,8 @@ BOOST_AUTO_TEST_CASE(statistics_add_up_under_merging)
     BOOST_REQUIRE(!graph.is_region(b));
     BOOST_REQUIRE(graph.seams(b).empty());
     if (graph.number_of_regions() % 8 == 0)
-      for (const auto& [c, d] : adjacent_pairs(graph)) check_seam(shape, graph, c, d, (c + d) % 2 == 0);
+      for (const auto& [c, d] : adjacent_pairs(graph))
+        check_seam(shape, graph, c, d, (c + d) % 2 == 0);
   }
   for (const auto& [c, d] : adjacent_pairs(graph)) check_seam(shape, graph, c, d, true);
   const std::vector<int> labels = graph.labels();
@@ -180,7 +181,8 @@ BOOST_AUTO_TEST_CASE(contraction_merges_the_cheapest_pair_each_time)
     return (2. - g.visibility(a, b)) * (g.region(a).size + g.region(b).size);
   };
   Merge_tree tree(shape.patches.size());
-  contract(graph, [&](const int a, const int b) { return cost(graph, a, b); }, {tree, nullptr}, 5);
+  contract(
+      graph, [&](const int a, const int b) { return cost(graph, a, b); }, {tree, nullptr}, 5);
   BOOST_REQUIRE_EQUAL(graph.number_of_regions(), 5u);
   BOOST_REQUIRE_EQUAL(tree.merges().size(), shape.patches.size() - 5);
   for (const Merge_tree::Merge& merge : tree.merges())
@@ -232,7 +234,8 @@ BOOST_AUTO_TEST_CASE(fusion_respects_its_thresholds)
     Merge_tree tree_of_average(shape.patches.size());
     fuse_components(average, parameters, {tree_of_average, nullptr});
     BOOST_CHECK_LT(average.number_of_regions(), every.number_of_regions());
-    for (const auto& [a, b] : adjacent_pairs(average)) BOOST_CHECK_LT(average.visibility(a, b), 0.7);
+    for (const auto& [a, b] : adjacent_pairs(average))
+      BOOST_CHECK_LT(average.visibility(a, b), 0.7);
 
     parameters.fusion_thresholds = {0.999};
     Region_graph strict = shape.regions();
@@ -271,8 +274,15 @@ BOOST_AUTO_TEST_CASE(similar_components_merge_but_not_over_concave_seams)
                                                   {4, 0.1f, {}, {}}, {5, 0.1f, {}, {}}};
   for (const double degrees : {-30., 5., 30.})
   {
-    Shape shape({2, 2, 2}, {{0, 1, 0.}, {2, 3, 0.}, {4, 5, 0.}, {0, 2, degrees}, {1, 3, degrees},
-                            {2, 4, -10.}, {3, 5, -10.}}, parameters);
+    Shape shape({2, 2, 2},
+                {{0, 1, 0.},
+                 {2, 3, 0.},
+                 {4, 5, 0.},
+                 {0, 2, degrees},
+                 {1, 3, degrees},
+                 {2, 4, -10.},
+                 {3, 5, -10.}},
+                parameters);
     Region_graph graph = shape.regions();
     Component_signatures signatures(shape.points, shape.patches, parameters, false);
     Merge_tree tree(3);
@@ -280,8 +290,8 @@ BOOST_AUTO_TEST_CASE(similar_components_merge_but_not_over_concave_seams)
     BOOST_CHECK_CLOSE(signatures.distance(graph.region(0), graph.region(2)), 1., 3.);
     BOOST_CHECK_LT(signatures.distance(graph.region(0), graph.region(1)), 0.05);
     merge_similar_components(graph, signatures, parameters, {tree, nullptr});
-    BOOST_CHECK((graph.labels() == (degrees > 9. ? std::vector<int>{0, 1, 2}
-                                                 : std::vector<int>{0, 0, 1})));
+    BOOST_CHECK(
+        (graph.labels() == (degrees > 9. ? std::vector<int>{0, 1, 2} : std::vector<int>{0, 0, 1})));
   }
 }
 
@@ -300,12 +310,13 @@ BOOST_AUTO_TEST_CASE(a_flat_component_joins_an_adequate_neighbor)
     Region_graph graph = shape.regions();
     return neighbor_of_flat_component(graph, 0, parameters);
   };
-  BOOST_CHECK_EQUAL(neighbor({-5., -5., -5., -5., 20.}, {-5., -5., 0.}), 2); // strictly convex first
-  BOOST_CHECK_EQUAL(neighbor({-5., -5.}, {-5., -5., 0.}), 2);                // the longer one
-  BOOST_CHECK_EQUAL(neighbor({-5., -5., 20.}, {-5., 20.}), 1);               // the higher ratio
+  BOOST_CHECK_EQUAL(neighbor({-5., -5., -5., -5., 20.}, {-5., -5., 0.}),
+                    2);                                        // strictly convex first
+  BOOST_CHECK_EQUAL(neighbor({-5., -5.}, {-5., -5., 0.}), 2);  // the longer one
+  BOOST_CHECK_EQUAL(neighbor({-5., -5., 20.}, {-5., 20.}), 1); // the higher ratio
   BOOST_CHECK_EQUAL(neighbor({-5., 20.}, {-5., -5., 20., 20., -5.}), 2);
-  BOOST_CHECK_EQUAL(neighbor({-5., 20., 20.}, {20.}), -1);                   // too concave
-  BOOST_CHECK_EQUAL(neighbor({-5., -5., 20.}, {}, 2.), -1);                  // not seen well enough
+  BOOST_CHECK_EQUAL(neighbor({-5., 20., 20.}, {20.}), -1);  // too concave
+  BOOST_CHECK_EQUAL(neighbor({-5., -5., 20.}, {}, 2.), -1); // not seen well enough
   BOOST_CHECK_EQUAL(neighbor({}, {}), -1);
 
   Parameters parameters = Parameters::paper();

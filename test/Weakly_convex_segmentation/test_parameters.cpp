@@ -73,17 +73,18 @@ std::map<std::string, Range> ranges()
                                          {"data_weight", {0., 1e6}},
                                          {"smoothness_angle", {1e-3, 180.}}};
   for (const char* cost : {"fusion_cost", "merging_cost"})
-    for (const char* part : {"visibility_weight", "concavity_weight", "diameter_weight", "threshold"})
+    for (const char* part :
+         {"visibility_weight", "concavity_weight", "diameter_weight", "threshold"})
       result[std::string(cost) + "." + part] = {0., 1e6};
   return result;
 }
 
 bool is_count(const std::string& name)
 {
-  static const std::set<std::string> counts = {
-      "number_of_neighbors", "number_of_representatives", "number_of_patches",
-      "number_of_supervoxels", "samples_per_patch", "histogram_bins", "diameter_samples",
-      "diameter_rays"};
+  static const std::set<std::string> counts = {"number_of_neighbors", "number_of_representatives",
+                                               "number_of_patches",   "number_of_supervoxels",
+                                               "samples_per_patch",   "histogram_bins",
+                                               "diameter_samples",    "diameter_rays"};
   return counts.count(name) > 0;
 }
 
@@ -180,7 +181,8 @@ const Raw_points& shape(const std::string& name)
   static std::map<std::string, Raw_points> shapes;
   const auto [slot, is_new] = shapes.emplace(name, Raw_points());
   if (is_new)
-    slot->second = points_of_mesh(Shape_generator::make_mesh(name, name == "dumbbell" ? 3000 : 6000));
+    slot->second =
+        points_of_mesh(Shape_generator::make_mesh(name, name == "dumbbell" ? 3000 : 6000));
   return slot->second;
 }
 

@@ -63,14 +63,13 @@ struct Shape
   std::vector<int> truth; ///< true part of each point
 
   explicit Shape(const Raw_points& raw, const std::vector<int>& labels = {})
-      : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false))
+    : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false))
   {
     for (const Index e : points.elements) truth.push_back(labels.empty() ? 0 : labels[e]);
   }
   explicit Shape(const Shape_generator::Labeled_mesh& mesh)
-      : Shape(points_of_mesh(mesh), mesh.labels)
-  {
-  }
+    : Shape(points_of_mesh(mesh), mesh.labels)
+  {}
 };
 
 /// share of the points that are not in the true part which most of their patch is in
@@ -132,8 +131,7 @@ BOOST_AUTO_TEST_CASE(a_weak_cut_decides_between_equal_pieces)
   Edges edges;
   for (Index i = 0; i < 24; ++i) edges.push_back({i, (i + 1) % 24, i == 5 || i == 17 ? 0.01 : 1.});
   const std::vector<Index> clusters = spectral_clusters(24, edges, 2, 0);
-  for (Index i = 0; i < 24; ++i)
-    BOOST_CHECK_EQUAL(clusters[i] == clusters[6], i >= 6 && i <= 17);
+  for (Index i = 0; i < 24; ++i) BOOST_CHECK_EQUAL(clusters[i] == clusters[6], i >= 6 && i <= 17);
 }
 
 BOOST_AUTO_TEST_CASE(symmetric_graphs_with_equal_eigenvalues_converge)
@@ -162,7 +160,8 @@ BOOST_AUTO_TEST_CASE(symmetric_graphs_with_equal_eigenvalues_converge)
 
 BOOST_AUTO_TEST_CASE(as_many_clusters_as_nodes_need_no_eigenvectors)
 {
-  BOOST_CHECK((spectral_clusters(3, {{0, 1, 1.}, {1, 2, 1.}}, 5, 0) == std::vector<Index>{0, 1, 2}));
+  BOOST_CHECK(
+      (spectral_clusters(3, {{0, 1, 1.}, {1, 2, 1.}}, 5, 0) == std::vector<Index>{0, 1, 2}));
   BOOST_CHECK((spectral_clusters(4, {{0, 1, 1.}, {2, 3, 1.}, {1, 2, 1.}}, 1, 0) ==
                std::vector<Index>(4, 0)));
 }
@@ -223,9 +222,9 @@ BOOST_AUTO_TEST_CASE(supervoxels_are_spread_evenly)
 BOOST_AUTO_TEST_CASE(small_pieces_go_to_a_neighbor)
 {
   // a chain: 2 points, 1 point, 7 points, and 3 points apart
-  const std::vector<std::pair<Index, Index>> edges = {{0, 1},  {0, 2},  {1, 2}, {2, 3}, {3, 4},
-                                                      {4, 5},  {5, 6},  {6, 7}, {7, 8}, {8, 9},
-                                                      {10, 11}, {11, 12}};
+  const std::vector<std::pair<Index, Index>> edges = {{0, 1}, {0, 2}, {1, 2},   {2, 3},
+                                                      {3, 4}, {4, 5}, {5, 6},   {6, 7},
+                                                      {7, 8}, {8, 9}, {10, 11}, {11, 12}};
   const Neighbor_graph graph = flat_graph(13, edges);
   const Pieces pieces = connected_pieces(graph, {0, 0, 1, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3});
   BOOST_CHECK((pieces.sizes == std::vector<std::size_t>{2, 1, 7, 3}));
@@ -292,7 +291,8 @@ BOOST_AUTO_TEST_CASE(thousands_of_pieces_are_all_patches)
   for (int i = 0; i < 2000; ++i)
     add_sphere(raw, {1. * (i % 13), 1. * (i / 13 % 13), 1. * (i / 169)}, 0.01, 12);
   const Shape shape(raw);
-  const std::size_t pieces = number_of_pieces(shape.graph, std::vector<int>(raw.positions.size(), 0));
+  const std::size_t pieces =
+      number_of_pieces(shape.graph, std::vector<int>(raw.positions.size(), 0));
   BOOST_REQUIRE_EQUAL(pieces, 2000u);
   const Patches patches = extract_patches(shape.points, shape.graph, Parameters());
   check_partition(shape, patches);

@@ -47,10 +47,9 @@ struct Scene
   Sight sight;
 
   explicit Scene(const Raw_points& raw)
-      : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false)),
-        sight(points, graph, Parameters())
-  {
-  }
+    : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false)),
+      sight(points, graph, Parameters())
+  {}
 };
 
 /// the median diameter in units of the input; 0 if no point has one
@@ -112,22 +111,24 @@ BOOST_AUTO_TEST_CASE(earth_movers_distance_by_hand)
     return d;
   };
   BOOST_CHECK_SMALL(distance({2, 3, 7}, {7, 2, 3}), 1e-12);
-  BOOST_CHECK_SMALL(distance({2, 3}, {2, 2, 3, 3}), 1e-12);  // shares count, not numbers
-  BOOST_CHECK_CLOSE(distance({2}, {5}), 0.3, 1e-6);          // all moves by three bins
+  BOOST_CHECK_SMALL(distance({2, 3}, {2, 2, 3, 3}), 1e-12); // shares count, not numbers
+  BOOST_CHECK_CLOSE(distance({2}, {5}), 0.3, 1e-6);         // all moves by three bins
   BOOST_CHECK_CLOSE(distance({2, 4, 4}, {5, 7, 7}), 0.3, 1e-6);
   BOOST_CHECK_CLOSE(distance({0, 4}, {2}), 0.2, 1e-6);       // each half by two
   BOOST_CHECK_CLOSE(distance({1, 1, 1, 9}, {1}), 0.2, 1e-6); // a quarter by eight
   BOOST_CHECK_CLOSE(distance({0}, {9}), 0.9, 1e-6);
-  BOOST_CHECK_LE(distance({0, 5}, {8}), distance({0, 5}, {3, 3, 9}) + distance({3, 3, 9}, {8}) + 1e-9);
+  BOOST_CHECK_LE(distance({0, 5}, {8}),
+                 distance({0, 5}, {3, 3, 9}) + distance({3, 3, 9}, {8}) + 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(on_the_logarithmic_scale_only_the_ratio_counts)
 {
   const Histogram_scale scale;
   for (const double d : {0.01, 0.1, 0.3})
-    BOOST_CHECK_SMALL(earth_movers_distance(histogram(scale, {d}), histogram(scale, {2. * d}), scale) -
-                          std::log(2.),
-                      1.01 * scale.bin_width());
+    BOOST_CHECK_SMALL(
+        earth_movers_distance(histogram(scale, {d}), histogram(scale, {2. * d}), scale) -
+            std::log(2.),
+        1.01 * scale.bin_width());
   for (const Histogram_scale& s : {scale, linear_scale(64)})
     for (std::size_t b = 0; b < s.bins; ++b) BOOST_CHECK_EQUAL(s.bin(s.center(b)), b);
   BOOST_CHECK_EQUAL(scale.bin(1e-9), 0u);
@@ -171,8 +172,8 @@ BOOST_AUTO_TEST_CASE(medians)
 
 BOOST_AUTO_TEST_CASE(rays_fill_their_cone)
 {
-  for (const Vector3& axis : {Vector3{0.f, 0.f, 1.f}, Vector3{-1.f, 0.f, 0.f},
-                              normalized(Vector3{1.f, -2.f, 0.5f})})
+  for (const Vector3& axis :
+       {Vector3{0.f, 0.f, 1.f}, Vector3{-1.f, 0.f, 0.f}, normalized(Vector3{1.f, -2.f, 0.5f})})
   {
     std::vector<Vector3> directions;
     cone_directions(axis, radians(30.), 64, directions);
@@ -222,7 +223,8 @@ BOOST_AUTO_TEST_CASE(diameter_of_a_sphere_through_the_shape)
 BOOST_AUTO_TEST_CASE(diameter_of_plates_and_cylinders_through_the_shape)
 {
   const Scene plate(sheets(60, {0., 0.08}));
-  const double thickness = median_diameter(plate, shape_diameters(plate.sight, Parameters(), false));
+  const double thickness =
+      median_diameter(plate, shape_diameters(plate.sight, Parameters(), false));
   BOOST_CHECK_GT(thickness, 0.078);
   BOOST_CHECK_LT(thickness, 0.1);
   const Scene tube(cylinder(0.3, 6.));
@@ -262,5 +264,6 @@ BOOST_AUTO_TEST_CASE(diameters_of_a_component_from_its_own_points)
 
   const Scene tube(cylinder(0.3, 6.));
   BOOST_CHECK_SMALL(
-      median_diameter(tube, own_diameters(tube.points, all_points(tube), paper, false)) - 0.6, 0.05);
+      median_diameter(tube, own_diameters(tube.points, all_points(tube), paper, false)) - 0.6,
+      0.05);
 }

@@ -36,7 +36,7 @@ struct Scene
   std::unique_ptr<Sight> sight;
 
   explicit Scene(const Raw_points& raw, const Parameters& p = {})
-      : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false)), parameters(p)
+    : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false)), parameters(p)
   {
     sight = std::make_unique<Sight>(points, graph, parameters);
     m_rank.resize(points.size());
@@ -111,8 +111,8 @@ bool occludes(const Disk& disk, const Vector3& p, const Vector3& q, const double
   const double from_center = std::sqrt(product(miss, miss)) - disk.radius;
   const double from_p = length(disk.center - p) - clearance * disk.radius;
   const double from_q = length(disk.center - q) - clearance * disk.radius;
-  margin = (std::min)({std::abs(t), std::abs(1. - t), std::abs(from_center), std::abs(from_p),
-                       std::abs(from_q)});
+  margin = (std::min)(
+      {std::abs(t), std::abs(1. - t), std::abs(from_center), std::abs(from_p), std::abs(from_q)});
   return t > 0. && t < 1. && from_center < 0. && from_p > 0. && from_q > 0.;
 }
 
@@ -142,10 +142,10 @@ BOOST_AUTO_TEST_CASE(a_line_crosses_a_disk)
   const Vector3 below = {0.05f, 0.f, 0.f}, above = {0.05f, 0.f, 2.f};
   BOOST_CHECK_CLOSE(where(below, above, 2.f), 0.25f, 1e-3);
   BOOST_CHECK_CLOSE(where(above, below, 2.f), 0.75f, 1e-3);
-  BOOST_CHECK_EQUAL(where({0.2f, 0.f, 0.f}, {0.2f, 0.f, 1.f}, 2.f), none);   // beside
-  BOOST_CHECK_EQUAL(where({0.f, 0.f, 0.f}, {0.f, 0.f, 0.4f}, 0.f), none);    // ends before
-  BOOST_CHECK_EQUAL(where({-1.f, 0.f, 0.5f}, {1.f, 0.f, 0.5f}, 0.f), none);  // in its plane
-  BOOST_CHECK_EQUAL(where(below, below, 2.f), none);                         // no line at all
+  BOOST_CHECK_EQUAL(where({0.2f, 0.f, 0.f}, {0.2f, 0.f, 1.f}, 2.f), none);  // beside
+  BOOST_CHECK_EQUAL(where({0.f, 0.f, 0.f}, {0.f, 0.f, 0.4f}, 0.f), none);   // ends before
+  BOOST_CHECK_EQUAL(where({-1.f, 0.f, 0.5f}, {1.f, 0.f, 0.5f}, 0.f), none); // in its plane
+  BOOST_CHECK_EQUAL(where(below, below, 2.f), none);                        // no line at all
   // an end nearer than the clearance
   BOOST_CHECK_EQUAL(where(below, above, 6.f), none);
   BOOST_CHECK_NE(where(below, above, 5.f), none);
@@ -210,7 +210,8 @@ BOOST_AUTO_TEST_CASE(first_exit_stops_at_its_reach)
   const Vector3 up = {0.f, 0.f, 1.f};
   BOOST_CHECK_CLOSE(tree.first_exit({0.f, 0.f, 0.f}, up, 1.f).distance, 0.5f, 1e-3); // not 0.3
   BOOST_CHECK(std::isinf(tree.first_exit({0.f, 0.f, 0.f}, up, 0.49f).distance));
-  BOOST_CHECK_CLOSE(tree.first_exit({0.f, 0.f, 0.f}, up, 0.51f).distance, 0.5f, 1e-3); // near the end
+  BOOST_CHECK_CLOSE(tree.first_exit({0.f, 0.f, 0.f}, up, 0.51f).distance, 0.5f,
+                    1e-3); // near the end
   BOOST_CHECK_CLOSE(tree.first_exit({0.f, 0.f, 0.f}, up, 10.f).distance, 0.5f, 1e-3);
   BOOST_CHECK(std::isinf(tree.first_exit({0.f, 0.5f, 0.f}, up, 10.f).distance));
 }
@@ -230,7 +231,8 @@ BOOST_AUTO_TEST_CASE(walls_occlude_and_a_cavity_counts_as_far_as_is_tolerated)
 {
   const Scene scene(pipe());
   const Coordinates left = {-1., 0., 0.}, right = {1., 0., 0.};
-  const Index outer_left = scene.at({-1., 0., 0.5}, left), outer_right = scene.at({1., 0., 0.5}, right);
+  const Index outer_left = scene.at({-1., 0., 0.5}, left),
+              outer_right = scene.at({1., 0., 0.5}, right);
   const Index inner_left = scene.at({-0.8, 0., 0.5}, right);
   const Index inner_right = scene.at({0.8, 0., 0.5}, left);
   BOOST_CHECK(!scene.sees(outer_left, outer_right)); // two walls between them
@@ -262,7 +264,8 @@ BOOST_AUTO_TEST_CASE(disks_and_clearance_follow_their_parameters)
   Parameters parameters;
   parameters.clearance_factor = 100.; // every disk is near to an end
   const Scene scene(pipe(), parameters);
-  BOOST_CHECK(scene.sees(scene.at({-1., 0., 0.5}, {-1., 0., 0.}), scene.at({1., 0., 0.5}, {1., 0., 0.})));
+  BOOST_CHECK(
+      scene.sees(scene.at({-1., 0., 0.5}, {-1., 0., 0.}), scene.at({1., 0., 0.5}, {1., 0., 0.})));
   parameters = Parameters();
   parameters.disk_radius_factor = 0.01; // too small to hit
   const Scene holes(pipe(), parameters);
@@ -298,8 +301,7 @@ BOOST_AUTO_TEST_CASE(visibility_of_patches_is_symmetric_and_kept)
     BOOST_REQUIRE(ratio >= 0. && ratio <= 1.);
     BOOST_REQUIRE_EQUAL(full(b, a), ratio);
     BOOST_REQUIRE_EQUAL(mirrored(b, a), ratio);
-    if (ratio == 0. || ratio == 1.)
-      BOOST_REQUIRE_EQUAL(early(a, b), ratio);
+    if (ratio == 0. || ratio == 1.) BOOST_REQUIRE_EQUAL(early(a, b), ratio);
     difference += std::abs(early(a, b) - ratio);
     blind += ratio == 0. ? 1 : 0;
   }

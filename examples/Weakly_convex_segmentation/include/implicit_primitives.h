@@ -20,20 +20,14 @@ using Point = std::array<double, 3>;
 
 namespace internal {
 
-inline Point add(const Point& a, const Point& b)
-{
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
+inline Point add(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
 inline Point subtract(const Point& a, const Point& b)
 {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-inline Point scale(const Point& a, double s)
-{
-  return {a[0] * s, a[1] * s, a[2] * s};
-}
+inline Point scale(const Point& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
 
 inline double dot(const Point& a, const Point& b)
 {
@@ -45,10 +39,7 @@ inline Point cross(const Point& a, const Point& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline double length(const Point& a)
-{
-  return std::sqrt(dot(a, a));
-}
+inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 inline Point normalized(const Point& a)
 {
@@ -62,14 +53,14 @@ struct Box
 {
   Point lower = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
                  std::numeric_limits<double>::infinity()};
-  Point upper = {-std::numeric_limits<double>::infinity(),
-                 -std::numeric_limits<double>::infinity(),
+  Point upper = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
                  -std::numeric_limits<double>::infinity()};
 
   // Grows the box to hold the ball of the given centre and radius.
   void extend(const Point& center, double radius)
   {
-    for(std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
       lower[i] = (std::min)(lower[i], center[i] - radius);
       upper[i] = (std::max)(upper[i], center[i] + radius);
     }
@@ -78,7 +69,8 @@ struct Box
   double distance(const Point& p) const
   {
     double sum = 0;
-    for(std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
       const double d = (std::max)({lower[i] - p[i], p[i] - upper[i], 0.});
       sum += d * d;
     }
@@ -104,12 +96,14 @@ public:
     : m_a(a), m_b(b), m_spread(spread), m_ra(ra), m_rb(rb),
       m_length(internal::length(internal::subtract(b, a))),
       m_axis(internal::normalized(internal::subtract(b, a))),
-      m_slope(m_length > 0 ? (rb - ra) / m_length : 0),
-      m_width(internal::length(spread)), m_spread_axis(internal::normalized(spread))
+      m_slope(m_length > 0 ? (rb - ra) / m_length : 0), m_width(internal::length(spread)),
+      m_spread_axis(internal::normalized(spread))
   {
     // The larger ball holds the other one: only it counts.
-    if(std::abs(m_slope) >= 1) {
-      if(rb > ra) {
+    if (std::abs(m_slope) >= 1)
+    {
+      if (rb > ra)
+      {
         m_a = b;
         m_ra = rb;
       }
@@ -120,7 +114,8 @@ public:
   double distance(const Point& p) const override
   {
     Point q = internal::subtract(p, m_a);
-    if(m_width > 0) {
+    if (m_width > 0)
+    {
       const double t = internal::dot(q, m_spread_axis);
       const double moved = (std::max)(-m_width, (std::min)(m_width, t));
       q = internal::subtract(q, internal::scale(m_spread_axis, moved));
@@ -136,7 +131,8 @@ public:
   Box box() const override
   {
     Box result;
-    for(double side : {-1., 1.}) {
+    for (double side : {-1., 1.})
+    {
       result.extend(internal::add(m_a, internal::scale(m_spread, side)), m_ra);
       result.extend(internal::add(m_b, internal::scale(m_spread, side)), m_rb);
     }
@@ -158,8 +154,8 @@ class Prism : public Primitive
 public:
   using Polygon = std::vector<std::array<double, 2>>;
 
-  Prism(const Point& origin, const Point& u, const Point& v, Polygon polygon,
-        double half_thickness, double rounding)
+  Prism(const Point& origin, const Point& u, const Point& v, Polygon polygon, double half_thickness,
+        double rounding)
     : m_origin(origin), m_u(u), m_v(v), m_w(internal::cross(u, v)), m_polygon(std::move(polygon)),
       m_half_thickness(half_thickness), m_rounding(rounding)
   {}
@@ -176,8 +172,9 @@ public:
   Box box() const override
   {
     Box result;
-    for(const std::array<double, 2>& c : m_polygon)
-      for(double side : {-m_half_thickness, m_half_thickness}) {
+    for (const std::array<double, 2>& c : m_polygon)
+      for (double side : {-m_half_thickness, m_half_thickness})
+      {
         Point p = internal::add(m_origin, internal::scale(m_u, c[0]));
         p = internal::add(p, internal::scale(m_v, c[1]));
         result.extend(internal::add(p, internal::scale(m_w, side)), m_rounding);
@@ -190,15 +187,15 @@ private:
   {
     double nearest = std::numeric_limits<double>::infinity();
     bool inside = false;
-    for(std::size_t i = 0; i < m_polygon.size(); ++i) {
+    for (std::size_t i = 0; i < m_polygon.size(); ++i)
+    {
       const std::array<double, 2>& a = m_polygon[i];
       const std::array<double, 2>& b = m_polygon[(i + 1) % m_polygon.size()];
       const double ex = b[0] - a[0], ey = b[1] - a[1], px = x - a[0], py = y - a[1];
       const double t = (std::max)(0., (std::min)(1., (px * ex + py * ey) / (ex * ex + ey * ey)));
       const double dx = px - t * ex, dy = py - t * ey;
       nearest = (std::min)(nearest, dx * dx + dy * dy);
-      if((a[1] > y) != (b[1] > y) && px < ex * py / ey)
-        inside = !inside;
+      if ((a[1] > y) != (b[1] > y) && px < ex * py / ey) inside = !inside;
     }
     return inside ? -std::sqrt(nearest) : std::sqrt(nearest);
   }
@@ -249,11 +246,12 @@ public:
   {
     const Point q = {std::hypot(p[0], p[1]), 0, p[2]};
     double nearest = std::numeric_limits<double>::infinity();
-    for(std::size_t i = 0; i + 1 < m_profile.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < m_profile.size(); ++i)
+    {
       const Point a = {m_profile[i][0], 0, m_profile[i][1]};
       const Point b = {m_profile[i + 1][0], 0, m_profile[i + 1][1]};
-      nearest = (std::min)(nearest, Rounded_cone(a, m_half_thickness, b, m_half_thickness)
-                                      .distance(q));
+      nearest =
+          (std::min)(nearest, Rounded_cone(a, m_half_thickness, b, m_half_thickness).distance(q));
     }
     return nearest;
   }
@@ -261,8 +259,8 @@ public:
   Box box() const override
   {
     Box result;
-    for(const std::array<double, 2>& c : m_profile)
-      for(const Point& p : {Point{c[0], c[0], c[1]}, Point{-c[0], -c[0], c[1]}})
+    for (const std::array<double, 2>& c : m_profile)
+      for (const Point& p : {Point{c[0], c[0], c[1]}, Point{-c[0], -c[0], c[1]}})
         result.extend(p, m_half_thickness);
     return result;
   }

@@ -38,7 +38,8 @@ public:
     const auto primitive = std::make_shared<const Primitive_type>(arguments...);
     m_parts[part].primitives.push_back(primitive);
     const Box box = primitive->box();
-    for(Box* target : {&m_box, &m_parts[part].box}) {
+    for (Box* target : {&m_box, &m_parts[part].box})
+    {
       target->extend(box.lower, 0);
       target->extend(box.upper, 0);
     }
@@ -54,9 +55,11 @@ public:
                 const Point& spread = {0, 0, 0})
   {
     constexpr int steps = 5;
-    for(std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < stations.size(); ++i)
+    {
       Station from = stations[i];
-      for(int step = 1; step <= steps; ++step) {
+      for (int step = 1; step <= steps; ++step)
+      {
         const Station to = between(stations, i, double(step) / steps);
         add<Rounded_cone>(part, from.position, from.radius, to.position, to.radius, spread);
         from = to;
@@ -67,8 +70,8 @@ public:
   double distance(const Point& p) const
   {
     double result = std::numeric_limits<double>::infinity();
-    for(const Part& part : m_parts)
-      if(part.box.distance(p) <= result + m_blend)
+    for (const Part& part : m_parts)
+      if (part.box.distance(p) <= result + m_blend)
         result = smooth_minimum(result, part.distance(p));
     return result;
   }
@@ -78,7 +81,8 @@ public:
     // Small, as on a sharp shape the points next to an edge count with one side only.
     constexpr double step = 1e-7;
     Point result;
-    for(std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
       Point before = p, after = p;
       before[i] -= step;
       after[i] += step;
@@ -90,10 +94,10 @@ public:
   // Moves p to the surface along the gradient, but at most by max_step per iteration.
   Point project(Point p, double max_step) const
   {
-    for(int iteration = 0; iteration < 4; ++iteration) {
+    for (int iteration = 0; iteration < 4; ++iteration)
+    {
       const double d = distance(p);
-      if(std::abs(d) < 1e-7)
-        break;
+      if (std::abs(d) < 1e-7) break;
       const Point g = gradient(p);
       const double step = (std::max)(-max_step, (std::min)(max_step, d));
       p = internal::subtract(p, internal::scale(g, step / (std::max)(internal::dot(g, g), 0.1)));
@@ -106,9 +110,11 @@ public:
   {
     double nearest = std::numeric_limits<double>::infinity();
     int result = 0;
-    for(std::size_t i = 0; i < m_parts.size(); ++i) {
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
+    {
       const double d = m_parts[i].distance(p);
-      if(d < nearest - 1e-4) {
+      if (d < nearest - 1e-4)
+      {
         nearest = d;
         result = static_cast<int>(i);
       }
@@ -119,8 +125,7 @@ public:
   std::vector<std::string> part_names() const
   {
     std::vector<std::string> result;
-    for(const Part& part : m_parts)
-      result.push_back(part.name);
+    for (const Part& part : m_parts) result.push_back(part.name);
     return result;
   }
 
@@ -137,7 +142,7 @@ private:
     double distance(const Point& p) const
     {
       double result = std::numeric_limits<double>::infinity();
-      for(const std::shared_ptr<const Primitive>& primitive : primitives)
+      for (const std::shared_ptr<const Primitive>& primitive : primitives)
         result = (std::min)(result, primitive->distance(p));
       return result;
     }
@@ -157,16 +162,16 @@ private:
     const Station& c = stations[i + 1];
     const Station& a = i > 0 ? stations[i - 1] : b;
     const Station& d = i + 2 < stations.size() ? stations[i + 2] : c;
-    const auto interpolate = [t](double p, double q, double r, double s) {
+    const auto interpolate = [t](double p, double q, double r, double s)
+    {
       const double slope_q = (r - p) / 2, slope_r = (s - q) / 2;
       const double u = 1 - t;
       return u * u * (1 + 2 * t) * q + t * t * (3 - 2 * t) * r + t * u * u * slope_q -
              t * t * u * slope_r;
     };
     Station result;
-    for(std::size_t k = 0; k < 3; ++k)
-      result.position[k] = interpolate(a.position[k], b.position[k], c.position[k],
-                                       d.position[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      result.position[k] = interpolate(a.position[k], b.position[k], c.position[k], d.position[k]);
     result.radius = interpolate(a.radius, b.radius, c.radius, d.radius);
     return result;
   }

@@ -18,7 +18,7 @@ namespace internal {
 inline const std::array<std::pair<double, const char*>, 2>& sides()
 {
   static const std::array<std::pair<double, const char*>, 2> result = {
-    {{-1., "left "}, {1., "right "}}};
+      {{-1., "left "}, {1., "right "}}};
   return result;
 }
 
@@ -27,7 +27,7 @@ inline void add_block(Implicit_shape& shape, std::size_t part, const Point& lowe
 {
   const Point center = scale(add(lower, upper), 0.5), half = scale(subtract(upper, lower), 0.5);
   const Prism::Polygon rectangle = {
-    {-half[0], -half[1]}, {half[0], -half[1]}, {half[0], half[1]}, {-half[0], half[1]}};
+      {-half[0], -half[1]}, {half[0], -half[1]}, {half[0], half[1]}, {-half[0], half[1]}};
   shape.add<Prism>(part, center, Point{1, 0, 0}, Point{0, 1, 0}, rectangle, half[2], 0.);
 }
 
@@ -102,8 +102,9 @@ inline Implicit_shape table()
 {
   Implicit_shape shape(0, true);
   add_block(shape, shape.add_part("top"), {-0.5, -0.32, 0.6}, {0.5, 0.32, 0.66});
-  for(const auto& side : sides())
-    for(const auto& end : {std::make_pair(-1., "front leg"), std::make_pair(1., "back leg")}) {
+  for (const auto& side : sides())
+    for (const auto& end : {std::make_pair(-1., "front leg"), std::make_pair(1., "back leg")})
+    {
       const Point at = {side.first * 0.43, end.first * 0.25, 0.315};
       add_block(shape, shape.add_part(std::string(side.second) + end.second),
                 subtract(at, {0.036, 0.036, 0.315}), add(at, {0.036, 0.036, 0.315}));
@@ -118,12 +119,13 @@ inline Implicit_shape chair()
   // The back leans, and its lower end is hidden in the seat.
   const double lean = 0.14;
   const Point up = {0, std::sin(lean), std::cos(lean)};
-  shape.add<Prism>(shape.add_part("back"), Point{0, 0.19, 0.45}, Point{1, 0, 0}, up,
-                   Prism::Polygon{{-0.2, 0}, {0.2, 0}, {0.2, 0.4}, {0.14, 0.52}, {-0.14, 0.52},
-                                  {-0.2, 0.4}},
-                   0.025, 0.);
-  for(const auto& side : sides())
-    for(const auto& end : {std::make_pair(-1., "front leg"), std::make_pair(1., "back leg")}) {
+  shape.add<Prism>(
+      shape.add_part("back"), Point{0, 0.19, 0.45}, Point{1, 0, 0}, up,
+      Prism::Polygon{{-0.2, 0}, {0.2, 0}, {0.2, 0.4}, {0.14, 0.52}, {-0.14, 0.52}, {-0.2, 0.4}},
+      0.025, 0.);
+  for (const auto& side : sides())
+    for (const auto& end : {std::make_pair(-1., "front leg"), std::make_pair(1., "back leg")})
+    {
       const Point at = {side.first * 0.18, end.first * 0.18, 0.225};
       add_block(shape, shape.add_part(std::string(side.second) + end.second),
                 subtract(at, {0.031, 0.031, 0.225}), add(at, {0.031, 0.031, 0.225}));
@@ -135,9 +137,8 @@ inline void add_person_torso_and_head(Implicit_shape& shape)
 {
   const std::size_t head = shape.add_part("head");
   shape.add_limb(head, {{{0, 0.002, 0.845}, 0.033}, {{0, -0.004, 0.89}, 0.034}});
-  shape.add_limb(head, {{{0, -0.02, 0.903}, 0.036},
-                        {{0, -0.008, 0.925}, 0.054},
-                        {{0, 0.006, 0.942}, 0.058}});
+  shape.add_limb(
+      head, {{{0, -0.02, 0.903}, 0.036}, {{0, -0.008, 0.925}, 0.054}, {{0, 0.006, 0.942}, 0.058}});
   const std::size_t torso = shape.add_part("torso");
   shape.add_limb(torso,
                  {{{0, 0.004, 0.505}, 0.056},
@@ -146,7 +147,7 @@ inline void add_person_torso_and_head(Implicit_shape& shape)
                   {{0, -0.004, 0.715}, 0.062},
                   {{0, 0.002, 0.775}, 0.05}},
                  {0.046, 0, 0});
-  for(const auto& side : sides())
+  for (const auto& side : sides())
     shape.add<Rounded_cone>(torso, Point{side.first * 0.01, 0.004, 0.825}, 0.032,
                             Point{side.first * 0.105, 0.002, 0.782}, 0.039);
 }
@@ -155,7 +156,8 @@ inline Implicit_shape figure()
 {
   Implicit_shape shape(0.024);
   add_person_torso_and_head(shape);
-  for(const auto& side : sides()) {
+  for (const auto& side : sides())
+  {
     const double s = side.first;
     const std::size_t arm = shape.add_part(std::string(side.second) + "arm");
     shape.add_limb(arm, {{{s * 0.132, 0.002, 0.774}, 0.042},
@@ -184,17 +186,14 @@ inline Implicit_shape figure()
 inline Implicit_shape four_leg()
 {
   Implicit_shape shape(0.03);
-  shape.add_limb(shape.add_part("body"), {{{0.24, 0, 0.63}, 0.125},
-                                          {{0, 0, 0.62}, 0.125},
-                                          {{-0.25, 0, 0.65}, 0.13}});
+  shape.add_limb(shape.add_part("body"),
+                 {{{0.24, 0, 0.63}, 0.125}, {{0, 0, 0.62}, 0.125}, {{-0.25, 0, 0.65}, 0.13}});
   const std::size_t head = shape.add_part("head and neck");
-  shape.add_limb(head, {{{0.3, 0, 0.7}, 0.095},
-                        {{0.4, 0, 0.82}, 0.072},
-                        {{0.48, 0, 0.93}, 0.056}});
-  shape.add_limb(head, {{{0.5, 0, 0.935}, 0.06},
-                        {{0.58, 0, 0.87}, 0.05},
-                        {{0.67, 0, 0.79}, 0.038}});
-  for(const auto& side : sides()) {
+  shape.add_limb(head, {{{0.3, 0, 0.7}, 0.095}, {{0.4, 0, 0.82}, 0.072}, {{0.48, 0, 0.93}, 0.056}});
+  shape.add_limb(head,
+                 {{{0.5, 0, 0.935}, 0.06}, {{0.58, 0, 0.87}, 0.05}, {{0.67, 0, 0.79}, 0.038}});
+  for (const auto& side : sides())
+  {
     const double s = side.first;
     shape.add<Rounded_cone>(head, Point{0.475, s * 0.03, 0.97}, 0.024,
                             Point{0.465, s * 0.042, 1.03}, 0.01);

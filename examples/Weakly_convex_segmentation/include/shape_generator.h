@@ -42,22 +42,24 @@ using Catalogue = std::vector<std::pair<std::string, Implicit_shape (*)()>>;
 
 inline const Catalogue& catalogue()
 {
-  static const Catalogue result = {
-    {"sphere", sphere},           {"box", box},           {"torus", torus},
-    {"thin_plate", thin_plate},   {"l_shape", l_shape},   {"two_spheres", two_spheres},
-    {"dumbbell", dumbbell},       {"cup", cup},           {"table", table},
-    {"chair", chair},             {"figure", figure},     {"four_leg", four_leg},
-    {"airplane", airplane},       {"octopus", octopus},   {"hand", hand},
-    {"ant", ant},                 {"pliers", pliers},     {"glasses", glasses}};
+  static const Catalogue result = {{"sphere", sphere},     {"box", box},
+                                   {"torus", torus},       {"thin_plate", thin_plate},
+                                   {"l_shape", l_shape},   {"two_spheres", two_spheres},
+                                   {"dumbbell", dumbbell}, {"cup", cup},
+                                   {"table", table},       {"chair", chair},
+                                   {"figure", figure},     {"four_leg", four_leg},
+                                   {"airplane", airplane}, {"octopus", octopus},
+                                   {"hand", hand},         {"ant", ant},
+                                   {"pliers", pliers},     {"glasses", glasses}};
   return result;
 }
 
 inline Implicit_shape implicit_shape(const std::string& name)
 {
   std::string known;
-  for(const auto& entry : catalogue()) {
-    if(entry.first == name)
-      return entry.second();
+  for (const auto& entry : catalogue())
+  {
+    if (entry.first == name) return entry.second();
     known += " " + entry.first;
   }
   throw std::invalid_argument("Shape_generator: there is no shape \"" + name +
@@ -83,7 +85,8 @@ inline Point random_point_in_face(const Labeled_mesh& mesh, std::size_t face,
                                   std::mt19937& generator)
 {
   double s = uniform(generator), t = uniform(generator);
-  if(s + t > 1) {
+  if (s + t > 1)
+  {
     s = 1 - s;
     t = 1 - t;
   }
@@ -97,8 +100,7 @@ inline Point random_point_in_face(const Labeled_mesh& mesh, std::size_t face,
 inline std::vector<std::string> shape_names()
 {
   std::vector<std::string> result;
-  for(const auto& entry : internal::catalogue())
-    result.push_back(entry.first);
+  for (const auto& entry : internal::catalogue()) result.push_back(entry.first);
   return result;
 }
 
@@ -112,9 +114,8 @@ inline Labeled_mesh make_mesh(const std::string& name,
                               std::size_t approximate_number_of_faces = 12000, unsigned seed = 0)
 {
   const Implicit_shape shape = internal::implicit_shape(name);
-  if(approximate_number_of_faces < 1000)
-    throw std::invalid_argument("Shape_generator: " +
-                                std::to_string(approximate_number_of_faces) +
+  if (approximate_number_of_faces < 1000)
+    throw std::invalid_argument("Shape_generator: " + std::to_string(approximate_number_of_faces) +
                                 " faces are too few for a shape; ask for 1000 or more");
   return internal::polygonised(shape, approximate_number_of_faces, seed);
 }
@@ -128,14 +129,16 @@ inline Labeled_cloud make_cloud(const std::string& name, std::size_t number_of_p
   const Labeled_mesh mesh = internal::polygonised(shape, 12000, 0);
   std::vector<double> area_up_to;
   double area = 0;
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
     area += internal::length(internal::face_normal(mesh, f)) / 2;
     area_up_to.push_back(area);
   }
   Labeled_cloud cloud;
   cloud.part_names = mesh.part_names;
   std::mt19937 generator(seed);
-  for(std::size_t i = 0; i < number_of_points; ++i) {
+  for (std::size_t i = 0; i < number_of_points; ++i)
+  {
     const auto chosen = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1,
                                          internal::uniform(generator) * area);
     const std::size_t face = static_cast<std::size_t>(chosen - area_up_to.begin());

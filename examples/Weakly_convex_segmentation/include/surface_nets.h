@@ -33,7 +33,8 @@ public:
   Distance_grid(const Implicit_shape& shape, double cell_size, const Point& shift)
     : m_cell_size(cell_size)
   {
-    for(std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
       const double extent = shape.box().upper[a] - shape.box().lower[a];
       m_size[a] = static_cast<std::size_t>(std::ceil(extent / cell_size)) + 5;
       const double slack = double(m_size[a] - 1) * cell_size - extent;
@@ -75,12 +76,12 @@ public:
   template <class Function>
   void for_each_crossing(const Function& f) const
   {
-    for(std::size_t i = 0; i < m_values.size(); ++i) {
+    for (std::size_t i = 0; i < m_values.size(); ++i)
+    {
       // The outermost layers are outside: no edge leaves the grid from an inner point.
       const std::array<std::size_t, 3> c = coordinates(i);
-      for(std::size_t a = 0; a < 3; ++a)
-        if(c[a] + 1 < m_size[a] && is_inside(i) != is_inside(i + m_stride[a]))
-          f(i, a);
+      for (std::size_t a = 0; a < 3; ++a)
+        if (c[a] + 1 < m_size[a] && is_inside(i) != is_inside(i + m_stride[a])) f(i, a);
     }
   }
 
@@ -91,15 +92,17 @@ private:
   {
     constexpr std::size_t block = 4;
     const double radius = m_cell_size * double(block - 1) / 2 * std::sqrt(3.) * 1.05;
-    for(std::size_t z = 0; z < m_size[2]; z += block)
-      for(std::size_t y = 0; y < m_size[1]; y += block)
-        for(std::size_t x = 0; x < m_size[0]; x += block) {
+    for (std::size_t z = 0; z < m_size[2]; z += block)
+      for (std::size_t y = 0; y < m_size[1]; y += block)
+        for (std::size_t x = 0; x < m_size[0]; x += block)
+        {
           const double half = m_cell_size * double(block - 1) / 2;
           const std::size_t first = x + y * m_stride[1] + z * m_stride[2];
           const double d = shape.distance(add(position(first), {half, half, half}));
-          for(std::size_t k = z; k < (std::min)(z + block, m_size[2]); ++k)
-            for(std::size_t j = y; j < (std::min)(y + block, m_size[1]); ++j)
-              for(std::size_t i = x; i < (std::min)(x + block, m_size[0]); ++i) {
+          for (std::size_t k = z; k < (std::min)(z + block, m_size[2]); ++k)
+            for (std::size_t j = y; j < (std::min)(y + block, m_size[1]); ++j)
+              for (std::size_t i = x; i < (std::min)(x + block, m_size[0]); ++i)
+              {
                 const std::size_t p = i + j * m_stride[1] + k * m_stride[2];
                 m_values[p] = std::abs(d) > radius ? d : shape.distance(position(p));
               }
@@ -132,26 +135,26 @@ inline std::size_t cell_edge_between(unsigned corner_1, unsigned corner_2)
 inline std::array<std::size_t, 12> patches_of_cell(const Distance_grid& grid, std::size_t cell)
 {
   std::array<std::size_t, 12> patch;
-  for(std::size_t e = 0; e < 12; ++e)
-    patch[e] = e;
-  const auto join = [&patch](std::size_t e, std::size_t f) {
+  for (std::size_t e = 0; e < 12; ++e) patch[e] = e;
+  const auto join = [&patch](std::size_t e, std::size_t f)
+  {
     const std::size_t from = patch[e], to = patch[f];
     std::replace(patch.begin(), patch.end(), from, to);
   };
-  for(unsigned axis = 0; axis < 3; ++axis)
-    for(unsigned side = 0; side < 2; ++side) {
+  for (unsigned axis = 0; axis < 3; ++axis)
+    for (unsigned side = 0; side < 2; ++side)
+    {
       const unsigned b = 1u << (axis + 1) % 3, c = 1u << (axis + 2) % 3, base = side << axis;
       const std::array<unsigned, 4> corners = {base, base | b, base | b | c, base | c};
       std::array<bool, 4> inside;
       std::vector<std::size_t> crossings;
-      for(std::size_t i = 0; i < 4; ++i)
-        inside[i] = grid.is_inside(grid.corner(cell, corners[i]));
-      for(std::size_t i = 0; i < 4; ++i)
-        if(inside[i] != inside[(i + 1) % 4])
+      for (std::size_t i = 0; i < 4; ++i) inside[i] = grid.is_inside(grid.corner(cell, corners[i]));
+      for (std::size_t i = 0; i < 4; ++i)
+        if (inside[i] != inside[(i + 1) % 4])
           crossings.push_back(cell_edge_between(corners[i], corners[(i + 1) % 4]));
-      if(crossings.size() == 2)
-        join(crossings[0], crossings[1]);
-      if(crossings.size() == 4) {
+      if (crossings.size() == 2) join(crossings[0], crossings[1]);
+      if (crossings.size() == 4)
+      {
         // Crossing i is between the corners i and i+1.
         const std::size_t first_inside = inside[0] ? 0 : 1;
         join(crossings[first_inside], crossings[(first_inside + 3) % 4]);
@@ -167,20 +170,20 @@ inline Point crossing_point(const Implicit_shape& shape, const Distance_grid& gr
 {
   const Point start = grid.position(i);
   double inner = 0, outer = 1;
-  if(!grid.is_inside(i))
-    std::swap(inner, outer);
-  const auto at = [&](double t) {
+  if (!grid.is_inside(i)) std::swap(inner, outer);
+  const auto at = [&](double t)
+  {
     Point p = start;
     p[axis] += t * grid.cell_size();
     return p;
   };
   // Near sharp edges the distance is not linear, so bisect instead of interpolating.
-  for(int step = 0; step < 30 && shape.is_sharp(); ++step) {
+  for (int step = 0; step < 30 && shape.is_sharp(); ++step)
+  {
     const double middle = (inner + outer) / 2;
     (shape.distance(at(middle)) < 0 ? inner : outer) = middle;
   }
-  if(shape.is_sharp())
-    return at((inner + outer) / 2);
+  if (shape.is_sharp()) return at((inner + outer) / 2);
   const double a = grid.value(i), b = grid.value(i + grid.stride(axis));
   return at(a / (a - b));
 }
@@ -191,9 +194,10 @@ inline Point meet_tangent_planes(const std::vector<Point>& crossings,
                                  const std::vector<Point>& normals, const Point& center)
 {
   Point result = center;
-  for(int iteration = 0; iteration < 200; ++iteration) {
+  for (int iteration = 0; iteration < 200; ++iteration)
+  {
     Point move = {0, 0, 0};
-    for(std::size_t i = 0; i < crossings.size(); ++i)
+    for (std::size_t i = 0; i < crossings.size(); ++i)
       move = add(move, scale(normals[i], dot(normals[i], subtract(crossings[i], result))));
     result = add(result, scale(move, 1. / double(crossings.size())));
   }
@@ -205,38 +209,36 @@ inline Point meet_tangent_planes(const std::vector<Point>& crossings,
 inline Point crease_direction(const std::vector<Point>& normals)
 {
   Point result = {0, 0, 0};
-  for(const Point& n : normals) {
+  for (const Point& n : normals)
+  {
     const Point candidate = cross(normals[0], n);
-    if(dot(candidate, candidate) > dot(result, result))
-      result = candidate;
+    if (dot(candidate, candidate) > dot(result, result)) result = candidate;
   }
   result = normalized(result);
-  for(const Point& n : normals)
-    if(std::abs(dot(result, n)) > 0.2)
-      return {0, 0, 0};
+  for (const Point& n : normals)
+    if (std::abs(dot(result, n)) > 0.2) return {0, 0, 0};
   return result;
 }
 
 // Appends the vertex of one patch of a cell. On sharp shapes it goes to the edge or corner that
 // the normals reveal.
 inline void add_patch_vertex(const Implicit_shape& shape, const Distance_grid& grid,
-                             std::size_t cell, const std::vector<Point>& crossings,
-                             Quad_mesh& mesh)
+                             std::size_t cell, const std::vector<Point>& crossings, Quad_mesh& mesh)
 {
   Point center = {0, 0, 0};
-  for(const Point& p : crossings)
-    center = add(center, scale(p, 1. / double(crossings.size())));
+  for (const Point& p : crossings) center = add(center, scale(p, 1. / double(crossings.size())));
   std::vector<Point> normals;
   double flatness = 1;
-  for(std::size_t i = 0; i < crossings.size() && shape.is_sharp(); ++i) {
+  for (std::size_t i = 0; i < crossings.size() && shape.is_sharp(); ++i)
+  {
     normals.push_back(normalized(shape.gradient(crossings[i])));
-    for(const Point& n : normals)
-      flatness = (std::min)(flatness, dot(n, normals.back()));
+    for (const Point& n : normals) flatness = (std::min)(flatness, dot(n, normals.back()));
   }
-  if(flatness < 0.8) {
+  if (flatness < 0.8)
+  {
     center = meet_tangent_planes(crossings, normals, center);
     const Point lower = grid.position(cell);
-    for(std::size_t a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < 3; ++a)
       center[a] = (std::max)(lower[a], (std::min)(lower[a] + grid.cell_size(), center[a]));
   }
   mesh.points.push_back(center);
@@ -251,15 +253,17 @@ public:
   Cell_vertices(const Implicit_shape& shape, const Distance_grid& grid, Quad_mesh& mesh)
     : m_index(grid.number_of_points(), 0), m_vertices(1)
   {
-    grid.for_each_crossing([&](std::size_t i, std::size_t axis) {
-      for(unsigned bits = 0; bits < 4; ++bits)
-        add_cell(shape, grid, cell_at(grid, i, axis, bits & 1, bits >> 1), mesh);
-    });
+    grid.for_each_crossing(
+        [&](std::size_t i, std::size_t axis)
+        {
+          for (unsigned bits = 0; bits < 4; ++bits)
+            add_cell(shape, grid, cell_at(grid, i, axis, bits & 1, bits >> 1), mesh);
+        });
   }
 
   // The cell in which the grid edge from i on `axis` has the offsets b and c.
-  static std::size_t cell_at(const Distance_grid& grid, std::size_t i, std::size_t axis,
-                             unsigned b, unsigned c)
+  static std::size_t cell_at(const Distance_grid& grid, std::size_t i, std::size_t axis, unsigned b,
+                             unsigned c)
   {
     return i - b * grid.stride((axis + 1) % 3) - c * grid.stride((axis + 2) % 3);
   }
@@ -274,28 +278,28 @@ private:
   void add_cell(const Implicit_shape& shape, const Distance_grid& grid, std::size_t cell,
                 Quad_mesh& mesh)
   {
-    if(m_index[cell] != 0)
-      return;
+    if (m_index[cell] != 0) return;
     m_index[cell] = m_vertices.size();
     m_vertices.emplace_back();
     const std::array<std::size_t, 12> patch = patches_of_cell(grid, cell);
     std::array<std::vector<Point>, 12> crossings;
-    for(unsigned corner = 0; corner < 8; ++corner)
-      for(unsigned axis = 0; axis < 3; ++axis) {
+    for (unsigned corner = 0; corner < 8; ++corner)
+      for (unsigned axis = 0; axis < 3; ++axis)
+      {
         const unsigned other = corner | 1u << axis;
         const std::size_t from = grid.corner(cell, corner), to = grid.corner(cell, other);
-        if(corner != other && grid.is_inside(from) != grid.is_inside(to))
+        if (corner != other && grid.is_inside(from) != grid.is_inside(to))
           crossings[patch[cell_edge_between(corner, other)]].push_back(
-            crossing_point(shape, grid, from, axis));
+              crossing_point(shape, grid, from, axis));
       }
     std::array<std::size_t, 12> vertex_of_patch = {};
-    for(std::size_t p = 0; p < 12; ++p)
-      if(!crossings[p].empty()) {
+    for (std::size_t p = 0; p < 12; ++p)
+      if (!crossings[p].empty())
+      {
         vertex_of_patch[p] = mesh.points.size();
         add_patch_vertex(shape, grid, cell, crossings[p], mesh);
       }
-    for(std::size_t e = 0; e < 12; ++e)
-      m_vertices.back()[e] = vertex_of_patch[patch[e]];
+    for (std::size_t e = 0; e < 12; ++e) m_vertices.back()[e] = vertex_of_patch[patch[e]];
   }
 
   std::vector<std::size_t> m_index; // 0 for cells that have no vertices
@@ -306,15 +310,16 @@ inline Quad_mesh surface_net(const Implicit_shape& shape, const Distance_grid& g
 {
   Quad_mesh mesh;
   const Cell_vertices cells(shape, grid, mesh);
-  grid.for_each_crossing([&](std::size_t i, std::size_t axis) {
-    // Counterclockwise as seen from the far end of the edge.
-    std::array<std::size_t, 4> quad = {
-      cells.vertex(grid, i, axis, 1, 1), cells.vertex(grid, i, axis, 0, 1),
-      cells.vertex(grid, i, axis, 0, 0), cells.vertex(grid, i, axis, 1, 0)};
-    if(!grid.is_inside(i))
-      std::swap(quad[1], quad[3]);
-    mesh.quads.push_back(quad);
-  });
+  grid.for_each_crossing(
+      [&](std::size_t i, std::size_t axis)
+      {
+        // Counterclockwise as seen from the far end of the edge.
+        std::array<std::size_t, 4> quad = {
+            cells.vertex(grid, i, axis, 1, 1), cells.vertex(grid, i, axis, 0, 1),
+            cells.vertex(grid, i, axis, 0, 0), cells.vertex(grid, i, axis, 1, 0)};
+        if (!grid.is_inside(i)) std::swap(quad[1], quad[3]);
+        mesh.quads.push_back(quad);
+      });
   return mesh;
 }
 
