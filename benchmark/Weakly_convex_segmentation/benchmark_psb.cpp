@@ -144,18 +144,6 @@ bool read_options(const int argc, char** argv, Options& options)
   return true;
 }
 
-/// labels of the faces at the wanted level, borders unrefined but for segments
-std::vector<int> labels_at(const WCS::Result& result, const WCS::Level level)
-{
-  if (level == WCS::Level::SEGMENTS) return result.labels;
-  if (level == WCS::Level::PATCHES) return result.patches;
-  const std::vector<int> region =
-      result.merge_tree.labels_after(result.merge_tree.number_of_fusions());
-  std::vector<int> labels = result.patches;
-  for (int& l : labels) l = region[static_cast<std::size_t>(l)];
-  return labels;
-}
-
 /// segments as a mesh, or as bare oriented points at the centroids of the faces
 WCS::Result segment(const SM::Mesh& soup, const Options& options, Stage_clock& clock)
 {
@@ -205,7 +193,7 @@ Row run_model(const int number, const Options& options)
   row.stage_seconds = clock.seconds;
   row.patches = result.merge_tree.number_of_patches();
   row.components = result.number_of_components;
-  const std::vector<int> labels = labels_at(result, options.level);
+  const std::vector<int> labels = result.labels_at(options.level);
   row.scores = SM::score_against_humans(model, labels);
   if (!options.seg_directory.empty())
   {

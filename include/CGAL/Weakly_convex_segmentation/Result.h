@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_RESULT_H
 
 #include <CGAL/Weakly_convex_segmentation/Merge_tree.h>
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
 
 #include <cstddef>
 #include <vector>
@@ -36,6 +37,19 @@ struct Result
 
   /// number of segments
   std::size_t number_of_segments() const { return segments.size(); }
+
+  /// returns one label an input element, in input order: the segments with their refined borders, or
+  /// the patches or components as they were merged, without refinement.
+  std::vector<int> labels_at(const Level level) const
+  {
+    if (level == Level::SEGMENTS) return labels;
+    const std::vector<int> regions =
+        merge_tree.labels_after(level == Level::COMPONENTS ? merge_tree.number_of_fusions() : 0);
+    std::vector<int> result(patches.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = regions[static_cast<std::size_t>(patches[i])];
+    return result;
+  }
 };
 
 } // namespace Weakly_convex_segmentation
