@@ -41,7 +41,7 @@ struct Options
   std::vector<int> models;
   WCS::Parameters parameters;
   WCS::Level level = WCS::Level::SEGMENTS;
-  bool bare_points = false, people = false, quiet = false;
+  bool bare_points = false, people = false, quiet = false, parallel = false;
   std::size_t jobs = 1;
 };
 
@@ -123,6 +123,7 @@ bool read_options(const int argc, char** argv, Options& options)
       "points", po::bool_switch(&options.bare_points), "segment the bare face centroids")(
       "people", po::bool_switch(&options.people), "score people against people instead")(
       "jobs", po::value(&options.jobs)->default_value(1), "models at once, each single-threaded")(
+      "parallel", po::bool_switch(&options.parallel), "let each model use all threads")(
       "quiet", po::bool_switch(&options.quiet), "print the overall line only");
   po::options_description all;
   all.add(visible).add_options()("data", po::value(&options.data)->required(), "");
@@ -145,6 +146,7 @@ bool read_options(const int argc, char** argv, Options& options)
 }
 
 /// segments as a mesh, or as bare oriented points at the centroids of the faces
+template <typename ConcurrencyTag>
 WCS::Result segment(const SM::Mesh& soup, const Options& options, Stage_clock& clock)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
@@ -155,10 +157,12 @@ WCS::Result segment(const SM::Mesh& soup, const Options& options, Stage_clock& c
     if (mesh.add_face(Mesh::Vertex_index(static_cast<Mesh::size_type>(f[0])),
                       Mesh::Vertex_index(static_cast<Mesh::size_type>(f[1])),
                       Mesh::Vertex_index(static_cast<Mesh::size_type>(f[2]))) == Mesh::null_face())
-      return CGAL::weakly_convex_segmentation_of_soup(mesh.points(), soup.faces, options.parameters,
-                                                      CGAL::parameters::visitor(std::ref(clock)));
+      return CGAL::weakly_convex_segmentation_of_soup<ConcurrencyTag>(
+          mesh.points(), soup.faces, options.parameters,
+          CGAL::parameters::visitor(std::ref(clock)));
   if (!options.bare_points)
-    return WCS::Segmenter<>(mesh, options.parameters, CGAL::parameters::visitor(std::ref(clock)))
+    return WCS::Segmenter<ConcurrencyTag>(mesh, options.parameters,
+                                          CGAL::parameters::visitor(std::ref(clock)))
         .segment(options.parameters);
   using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
   std::vector<Oriented> points;
@@ -172,7 +176,7 @@ WCS::Result segment(const SM::Mesh& soup, const Options& options, Stage_clock& c
   const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
                       .normal_map(CGAL::Second_of_pair_property_map<Oriented>())
                       .visitor(std::ref(clock));
-  return WCS::Segmenter<>(points, options.parameters, np).segment(options.parameters);
+  return WCS::Segmenter<ConcurrencyTag>(points, options.parameters, np).segment(options.parameters);
 }
 
 Row run_model(const int number, const Options& options)
@@ -188,7 +192,9 @@ Row run_model(const int number, const Options& options)
   }
   Stage_clock clock;
   const auto begin = std::chrono::steady_clock::now();
-  const WCS::Result result = segment(model.mesh, options, clock);
+  const WCS::Result result = options.parallel
+                                 ? segment<CGAL::Parallel_tag>(model.mesh, options, clock)
+                                 : segment<CGAL::Sequential_tag>(model.mesh, options, clock);
   row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   row.stage_seconds = clock.seconds;
   row.patches = result.merge_tree.number_of_patches();

@@ -98,6 +98,11 @@ def lines_of(items, width=98):
     yield line
 
 
+def float_literal(value):
+    text = f"{value:.3g}"
+    return text + ("f" if any(mark in text for mark in ".e") else ".f")
+
+
 def write_header(path, boosters, comment):
     roots, nodes = flat_trees(boosters)
     guard = "CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_FITTED_COST_TABLE_H"
@@ -115,8 +120,7 @@ def write_header(path, boosters, comment):
                   "  static constexpr std::uint16_t roots[] = {\n")
         out.write("\n".join(lines_of(map(str, roots))) + "};\n")
         out.write("  static constexpr Tree_node nodes[] = {\n")
-        out.write("\n".join(lines_of(f"{{{f},{c},{v:.4g}f}}" if any(s in f"{v:.4g}" for s in ".e")
-                                     else f"{{{f},{c},{v:.4g}.f}}" for f, c, v in nodes)) + "};\n")
+        out.write("\n".join(lines_of(f"{{{f},{c},{float_literal(v)}}}" for f, c, v in nodes)) + "};\n")
         out.write(f"  static constexpr Boosted_trees trees = {{nodes, roots, {len(roots)}, 0.}};\n"
                   "  return trees;\n}\n\n"
                   "} // namespace internal\n} // namespace Weakly_convex_segmentation\n"

@@ -91,23 +91,10 @@ WCS::Result segment(const Shape& shape, const Options& options, Segment_shape::S
   return segment_with<CGAL::Parallel_if_available_tag>(shape, options, stages);
 }
 
-// The labels at the wanted granularity. Patches and components are those before the borders of the
-// segments were refined.
-std::vector<int> labels_at(const WCS::Level level, const WCS::Result& result)
-{
-  if (level == WCS::Level::SEGMENTS) return result.labels;
-  std::vector<int> labels = result.patches;
-  if (level == WCS::Level::PATCHES) return labels;
-  const std::vector<int> component_of_patch =
-      result.merge_tree.labels_after(result.merge_tree.number_of_fusions());
-  for (int& label : labels) label = component_of_patch[static_cast<std::size_t>(label)];
-  return labels;
-}
-
 Shape_io::Parts parts_at(const WCS::Level level, const Shape& shape, const WCS::Result& result)
 {
   Shape_io::Parts parts;
-  parts.labels = labels_at(level, result);
+  parts.labels = result.labels_at(level);
   for (const int label : result.labels)
     parts.quality.push_back(result.segments[static_cast<std::size_t>(label)].convexity_rank);
 

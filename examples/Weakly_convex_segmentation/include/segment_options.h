@@ -56,8 +56,9 @@ inline po::options_description described_options(Options& options, Numbers& numb
       "write one label a line, in the order of the input");
   add("stats", po::value(&options.stats_file)->value_name("STATS.json"),
       "write counts, seconds and the numbers of each part as JSON");
-  add("preset", po::value(&options.preset)->value_name("default|paper"),
-      "parameters: the best known (default), or those of the paper");
+  add("preset", po::value(&options.preset)->value_name("default|paper|fitted"),
+      "parameters: the best known (default), those of the paper, or a cost fitted to people's "
+      "parts");
   add("stage", po::value(&options.stage)->value_name("patches|components|segments"),
       "granularity of the labels (default: segments)");
   add("max-segments", po::value(&numbers.max_segments)->value_name("N"),
@@ -113,8 +114,10 @@ inline void apply(const Numbers& numbers, Options& options)
 {
   if (options.preset == "paper")
     options.parameters = WCS::Parameters::paper();
+  else if (options.preset == "fitted")
+    options.parameters = WCS::Parameters::fitted();
   else if (options.preset != "default")
-    refuse("--preset is '" + options.preset + "', give default or paper");
+    refuse("--preset is '" + options.preset + "', give default, paper or fitted");
 
   if (options.stage == "patches")
     options.level = WCS::Level::PATCHES;

@@ -228,11 +228,10 @@ inline Seam& Region_graph::measured_seam(const int a, const int b)
 
 inline void Region_graph::merge(const int a, const int b)
 {
-  if (m_has_profiles)
+  if (m_has_profiles) // regions that do not touch are merged last of all: they need not be looked at
     m_regions[a].inside_visibility +=
-        m_regions[b].inside_visibility + 2. * (m_seams[a].count(b) > 0
-                                                   ? measured_seam(a, b).visibility_sum
-                                                   : measure_visibility(a, b).visibility_sum);
+        m_regions[b].inside_visibility +
+        (m_seams[a].count(b) > 0 ? 2. * measured_seam(a, b).visibility_sum : 0.);
   std::map<int, Seam> merged; // seams of the union, by neighbor
   for (const int end : {a, b})
     for (const auto& entry : m_seams[end])

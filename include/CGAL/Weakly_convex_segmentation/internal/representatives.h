@@ -32,7 +32,7 @@ struct Representatives
 inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points)
 {
   const auto cell = [](const float c)
-  { return spread_bits(static_cast<std::uint64_t>((c + 0.5f) * 2097151.f)); };
+  { return spread_bits(static_cast<std::uint64_t>((std::max)(0.f, c + 0.5f) * 2097151.f)); };
   std::vector<std::uint64_t> keys(points.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
@@ -91,7 +91,7 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const auto cell = [side](const float c)
-    { return spread_bits(static_cast<std::uint64_t>((c + 0.5f) / side)); };
+    { return spread_bits(static_cast<std::uint64_t>((std::max)(0.f, c + 0.5f) / side)); };
     const Vector3& p = points.positions[i];
     const Vector3& n = points.normals[i];
     const std::uint64_t key = cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;

@@ -96,19 +96,22 @@ inline Embedding spectral_embedding(const Eigen::SparseMatrix<double>& laplacian
 {
   const Eigen::Index n = laplacian.rows(), k = static_cast<Eigen::Index>(dimension);
   Shifted_inverse operation(laplacian);
-  const Eigen::Index basis = (std::min)(n, (std::max)(2 * k + 10, Eigen::Index(20)));
-  Spectra::SymEigsShiftSolver<Shifted_inverse> solver(operation, k, basis, -1e-3);
-  solver.init();
-  if (solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-4) < k)
-    throw std::runtime_error("the eigenvectors of the patch graph did not converge; change "
-                             "Parameters::number_of_supervoxels");
-  Embedding rows = solver.eigenvectors().cast<float>();
-  for (Eigen::Index i = 0; i < n; ++i)
+  // a larger basis converges where many eigenvalues lie close together
+  for (const Eigen::Index basis : {2 * k + 10, 4 * k + 40})
   {
-    const float l = rows.row(i).norm();
-    if (l > 0.f) rows.row(i) /= l;
+    Spectra::SymEigsShiftSolver<Shifted_inverse> solver(operation, k, (std::min)(n, basis), -1e-3);
+    solver.init();
+    if (solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-4) < k) continue;
+    Embedding rows = solver.eigenvectors().cast<float>();
+    for (Eigen::Index i = 0; i < n; ++i)
+    {
+      const float l = rows.row(i).norm();
+      if (l > 0.f) rows.row(i) /= l;
+    }
+    return rows;
   }
-  return rows;
+  throw std::runtime_error("the eigenvectors of the patch graph did not converge; change "
+                           "Parameters::number_of_supervoxels");
 }
 
 /// returns a number in [0, 1) that is the same with every standard library.
