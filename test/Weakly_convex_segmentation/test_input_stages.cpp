@@ -145,13 +145,14 @@ BOOST_AUTO_TEST_CASE(frame_does_not_change_with_place_scale_or_order)
   for (auto& p : moved.positions) p = {p[0] + 1000., p[1] - 300., p[2] + 77.};
   BOOST_CHECK_SMALL(largest_difference(points, orient_points(moved)), 1e-6);
   BOOST_CHECK_CLOSE(orient_points(moved).extent, points.extent, 1e-9);
-  for (const double factor : {1e-9, 1e9})
+  for (const double factor : {1e-310, 1e-9, 1e9})
   {
     Raw_points scaled = raw;
     for (auto& p : scaled.positions) p = {factor * p[0], factor * p[1], factor * p[2]};
     for (auto& n : scaled.normals) n = {factor * n[0], factor * n[1], factor * n[2]};
     BOOST_CHECK_SMALL(largest_difference(points, orient_points(scaled)), 1e-6);
     BOOST_CHECK_CLOSE(orient_points(scaled).extent, factor * points.extent, 1e-9);
+    BOOST_CHECK(orient_points(scaled).elements == points.elements);
   }
   // points in another order come out in the same order
   Raw_points reversed = raw;

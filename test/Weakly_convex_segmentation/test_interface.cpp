@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -295,6 +296,21 @@ BOOST_AUTO_TEST_CASE(another_granularity_without_running_again)
   Parameters wide;
   wide.band_width = 2.;
   BOOST_CHECK_THROW(segmenter.refine(tree, tree.labels_for(2), wide), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(labels_at_the_three_levels)
+{
+  const Result result = CGAL::weakly_convex_segmentation(surface_mesh(dumbbell()), nowhere());
+  const std::vector<int> patches = result.labels_at(WCS::Level::PATCHES);
+  const std::vector<int> components = result.labels_at(WCS::Level::COMPONENTS);
+  BOOST_CHECK(result.labels_at(WCS::Level::SEGMENTS) == result.labels);
+  BOOST_CHECK_EQUAL(rand_distance(patches, result.patches), 0.);
+  const std::set<int> distinct(components.begin(), components.end());
+  BOOST_CHECK_EQUAL(distinct.size(), result.number_of_components);
+  BOOST_CHECK_EQUAL(*distinct.rbegin() + 1u, result.number_of_components);
+  std::set<std::pair<int, int>> pairs; // components are made of whole patches
+  for (std::size_t i = 0; i < patches.size(); ++i) pairs.insert({patches[i], components[i]});
+  BOOST_CHECK_EQUAL(pairs.size(), result.merge_tree.number_of_patches());
 }
 
 BOOST_AUTO_TEST_CASE(convexity_rank_of_subsets)

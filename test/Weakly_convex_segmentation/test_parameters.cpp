@@ -120,7 +120,7 @@ std::vector<Setting> settings()
 {
   return {{"number_of_neighbors", "default", "dumbbell", 14.},
           {"number_of_representatives", "default", "dumbbell", 1000.},
-          {"use_mesh_adjacency", "default", "hand", 0.},
+          {"use_mesh_adjacency", "default", "stretched dumbbell", 0.},
           {"seed", "default", "dumbbell", 9.},
           {"number_of_patches", "default", "dumbbell", 40.},
           {"number_of_supervoxels", "default", "dumbbell", 400.},
@@ -180,9 +180,13 @@ const Raw_points& shape(const std::string& name)
 {
   static std::map<std::string, Raw_points> shapes;
   const auto [slot, is_new] = shapes.emplace(name, Raw_points());
-  if (is_new)
-    slot->second =
-        points_of_mesh(Shape_generator::make_mesh(name, name == "dumbbell" ? 3000 : 6000));
+  if (!is_new) return slot->second;
+  const bool is_stretched = name == "stretched dumbbell"; // neighbors across long edges are far
+  auto mesh =
+      Shape_generator::make_mesh(is_stretched ? "dumbbell" : name, name == "hand" ? 6000 : 3000);
+  if (is_stretched)
+    for (auto& p : mesh.points) p[0] *= 8.;
+  slot->second = points_of_mesh(mesh);
   return slot->second;
 }
 

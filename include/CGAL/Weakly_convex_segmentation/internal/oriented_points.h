@@ -100,12 +100,13 @@ inline std::vector<Index> spatial_order(const Raw_points& raw, const Bounding_cu
     Index index;
   };
   std::vector<Keyed> keyed(raw.positions.size());
-  const double scale = cube.side > 0. ? 2097151. / cube.side : 0.;
+  const double side = cube.side > 0. ? cube.side : 1.; // its reciprocal may overflow
   for (std::size_t i = 0; i < keyed.size(); ++i)
   {
     std::array<std::uint64_t, 3> cell;
     for (int c = 0; c < 3; ++c)
-      cell[c] = static_cast<std::uint64_t>((raw.positions[i][c] - cube.corner[c]) * scale);
+      cell[c] =
+          static_cast<std::uint64_t>((raw.positions[i][c] - cube.corner[c]) / side * 2097151.);
     keyed[i].key = spread_bits(cell[0]) | spread_bits(cell[1]) << 1 | spread_bits(cell[2]) << 2;
     keyed[i].index = static_cast<Index>(i);
   }
