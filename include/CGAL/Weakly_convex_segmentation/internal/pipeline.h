@@ -13,7 +13,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/cost_merging.h>
 #include <CGAL/Weakly_convex_segmentation/internal/fitted_cost_table.h>
 #include <CGAL/Weakly_convex_segmentation/internal/fitted_merging.h>
-#include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
+#include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
 #include <cstddef>
 #include <functional>
@@ -29,109 +29,6 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// How a run talks to its caller.
-struct Run_control
-{
-  bool parallel = false;
-  Visitor* visitor = nullptr;
-  std::function<bool(double)> callback; ///< progress in [0, 1]; false cancels
-
-  void progress(const double share) const
-  {
-    if (callback && !callback(share)) throw Canceled();
-  }
-
-  /// runs one stage between its events; `work` returns the number of things made.
-  template <typename Work>
-  void stage(const Stage stage, const Work& work) const
-  {
-    if (visitor != nullptr) visitor->stage_begins(stage);
-    const std::size_t size = work();
-    if (visitor != nullptr) visitor->stage_ends(stage, size);
-    progress((static_cast<double>(stage) + 1.) / number_of_stages);
-  }
-};
-
-/// What is known of a shape before any merging: all that does not depend on thresholds.
-struct Shape_analysis
-{
-  Oriented_points input;
-  Representatives representatives;
-  Neighbor_graph graph;
-  Patches patches;
-  std::unique_ptr<Sight> sight;
-  std::unique_ptr<Patch_visibility> visibility;
-  std::vector<Diameter_sample> diameters; ///< through the whole shape
-
-  const Oriented_points& points() const { return representatives.points; }
-  std::size_t representative(const std::size_t input_point) const
-  {
-    return representatives.of_point.empty() ? input_point : representatives.of_point[input_point];
-  }
-};
-
-/// runs the stages up to the signatures.
-inline std::unique_ptr<Shape_analysis>
-analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_control& control)
-{
-  auto shape = std::make_unique<Shape_analysis>();
-  control.stage(Stage::SAMPLING,
-                [&]
-                {
-                  shape->input = orient_points(raw);
-                  shape->representatives =
-                      choose_representatives(shape->input, parameters.number_of_representatives);
-                  if (!parameters.use_mesh_adjacency) shape->representatives.points.links.clear();
-                  return shape->points().size();
-                });
-  control.stage(Stage::NEIGHBORS,
-                [&]
-                {
-                  shape->graph =
-                      build_neighbor_graph(shape->representatives.points,
-                                           parameters.number_of_neighbors, control.parallel);
-                  return shape->graph.neighbors.size() / 2;
-                });
-  control.stage(Stage::PATCHES,
-                [&]
-                {
-                  shape->patches = extract_patches(shape->points(), shape->graph, parameters);
-                  return shape->patches.size();
-                });
-  control.stage(Stage::VISIBILITY,
-                [&]
-                {
-                  shape->sight = std::make_unique<Sight>(shape->points(), shape->graph, parameters);
-                  shape->visibility = std::make_unique<Patch_visibility>(
-                      *shape->sight, shape->patches, parameters, control.parallel);
-                  return shape->sight->tree().size();
-                });
-  control.stage(Stage::SIGNATURES,
-                [&]
-                {
-                  if (parameters.diameter == Diameter_rule::WHOLE_SHAPE)
-                    shape->diameters = shape_diameters(*shape->sight, parameters, control.parallel);
-                  return shape->diameters.size();
-                });
-  return shape;
-}
-
-/// replaces the diameters by given ones, one a representative at most.
-inline void use_diameters(Shape_analysis& shape, const std::vector<double>& of_elements)
-{
-  shape.diameters.clear();
-  std::vector<char> used(shape.points().size(), 0);
-  for (std::size_t i = 0; i < shape.input.size(); ++i)
-  {
-    const double d = of_elements[shape.input.elements[i]];
-    const std::size_t r = shape.representative(i);
-    if (!(d > 0.) || used[r] != 0) continue;
-    used[r] = 1;
-    shape.diameters.push_back(
-        {static_cast<Index>(r), static_cast<float>(d / shape.input.extent), {}, {}});
-  }
-}
 
 /// goes on merging until one region is left, so that the merge tree serves any granularity: adjacent
 /// regions by cost, then the smallest region of what is not adjacent to its nearest.
