@@ -55,7 +55,9 @@ inline void merge_to_one(Region_graph& graph, const Contraction_log& log, const 
       }
     }
     graph.merge(nearest, smallest);
-    log.tree.add(nearest, smallest, (std::numeric_limits<double>::max)());
+    constexpr double cost = (std::numeric_limits<double>::max)();
+    log.tree.add(nearest, smallest, cost);
+    if (log.visitor != nullptr) log.visitor->merged(nearest, smallest, cost);
   }
 }
 
@@ -161,6 +163,9 @@ inline void merge_by_paper(Shape_analysis& shape, Region_graph& graph, const Par
 inline Merge_tree merge_patches(Shape_analysis& shape, const Parameters& parameters,
                                 const Run_control& control)
 {
+  // a shape that was analyzed for other rules has no diameters yet
+  if (parameters.diameter == Diameter_rule::WHOLE_SHAPE && shape.diameters.empty())
+    shape.diameters = shape_diameters(*shape.sight, parameters, control.parallel);
   Merge_tree tree(shape.patches.size());
   Region_graph graph(shape.points(), shape.graph, shape.patches, *shape.visibility, parameters);
   const Contraction_log log{tree, control.visitor};
@@ -228,14 +233,13 @@ inline std::vector<int> element_labels(const Shape_analysis& shape, const std::v
   return result;
 }
 
-/// gives `labels` the numbers that `after` has where `before` has their old ones.
-inline void renumber_like(const std::vector<int>& before, const std::vector<int>& after,
-                          std::vector<int>& labels)
+/// gives each representative the final label of one of its points.
+inline void relabel_representatives(const Shape_analysis& shape,
+                                    const std::vector<int>& element_labels,
+                                    std::vector<int>& labels)
 {
-  std::vector<int> number(
-      1 + static_cast<std::size_t>(*std::max_element(labels.begin(), labels.end())), 0);
-  for (std::size_t i = 0; i < before.size(); ++i) number[before[i]] = after[i];
-  for (int& l : labels) l = number[l];
+  for (std::size_t i = 0; i < shape.input.size(); ++i)
+    labels[shape.representative(i)] = element_labels[shape.input.elements[i]];
 }
 
 /// fills size, convexity rank, diameter and neighbors of each segment.
@@ -293,9 +297,8 @@ inline Result finish_segmentation(const Shape_analysis& shape, Merge_tree tree,
                   result.labels.resize(input_labels.size());
                   for (std::size_t i = 0; i < input_labels.size(); ++i)
                     result.labels[shape.input.elements[i]] = input_labels[i];
-                  const std::vector<int> before = result.labels;
                   const std::size_t count = number_labels(result.labels);
-                  renumber_like(before, result.labels, labels);
+                  relabel_representatives(shape, result.labels, labels);
                   result.segments = describe_segments(shape, labels, result.labels, count);
                   result.patches = element_labels(shape, shape.patches.of_point);
                   return count;
