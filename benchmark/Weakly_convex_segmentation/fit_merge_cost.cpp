@@ -4,11 +4,13 @@
 // The C++ side of fitting the merge cost of the `fitted` preset to labeled shapes; fit_merge_cost.py
 // trains and calls it.
 //
-//   fit_merge_cost samples DATA_DIR OUT.bin [TABLES]  features, targets and weights of pairs of regions
-//   fit_merge_cost score DATA_DIR TABLES THRESHOLD    1 - Rand Index of the trees' segmentations
+//   fit_merge_cost samples DATA_DIR VARIANT OUT.bin [TABLES]      features, targets, weights of pairs
+//   fit_merge_cost score DATA_DIR VARIANT TABLES THRESHOLD...     1 - Rand Index of the segmentations
+//   fit_merge_cost names                                          features and their directions
 //
-// TABLES is a folder with a table of trees for each category, NAME.txt; with `samples` the pairs are
-// then those on the trees' own path instead of the default cost's.
+// VARIANT is what the models are turned into: mesh, points, half, two_views, four_views. TABLES is a
+// folder with a table of trees for each category, NAME.txt; with `samples` the pairs are then those on
+// the trees' own path instead of the default cost's.
 
 #include "patch_scores.h"
 
@@ -24,7 +26,8 @@
 #include <iostream>
 #include <limits>
 #include <map>
-#include <optional>
+#include <numeric>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,8 +41,15 @@ namespace {
 const std::vector<std::pair<Variant, std::string>> variants = {{Variant::MESH, "mesh"},
                                                                {Variant::POINTS, "points"},
                                                                {Variant::HALF, "half"},
-                                                               {Variant::TWO_VIEWS, "2 views"},
-                                                               {Variant::FOUR_VIEWS, "4 views"}};
+                                                               {Variant::TWO_VIEWS, "two_views"},
+                                                               {Variant::FOUR_VIEWS, "four_views"}};
+
+Variant variant_of_name(const std::string& name)
+{
+  for (const auto& [variant, its_name] : variants)
+    if (name == its_name) return variant;
+  throw std::invalid_argument("there is no variant '" + name + "'");
+}
 
 /// Trees read from a text file.
 struct Tree_table
@@ -139,6 +149,39 @@ void write_samples(Trial& trial, const Path_cost& cost, std::ofstream& out)
   }
 }
 
+/// 1 - Rand Index and number of segments, averaged a category and overall.
+class Scores
+{
+public:
+  void add(const Patch_scores::Model& model, const std::vector<int>& regions)
+  {
+    m_errors[SM::category_of_model(model.number)].push_back(
+        Patch_scores::rand_error(model, regions));
+    m_segments += 1. + *std::max_element(regions.begin(), regions.end());
+    m_models += 1.;
+  }
+  void print(const std::string& name) const
+  {
+    double sum = 0.;
+    std::ostringstream each;
+    for (const auto& [category, errors] : m_errors)
+    {
+      const double mean =
+          std::accumulate(errors.begin(), errors.end(), 0.) / static_cast<double>(errors.size());
+      sum += mean;
+      each << ' ' << SM::category_names()[category].substr(0, 3) << ' '
+           << std::lround(1000. * mean);
+    }
+    std::cout << name << ": " << sum / static_cast<double>(m_errors.size()) << ", "
+              << m_segments / m_models << " segments;" << each.str() << '\n'
+              << std::flush;
+  }
+
+private:
+  std::map<std::size_t, std::vector<double>> m_errors;
+  double m_segments = 0., m_models = 0.;
+};
+
 class Fitting
 {
 public:
@@ -162,60 +205,37 @@ public:
       }
   }
 
-  void samples(const std::filesystem::path& path) const
+  void samples(const Variant variant, const std::filesystem::path& path) const
   {
     std::ofstream out(path, std::ios::binary);
-    for (const auto& [variant, name] : variants)
-    {
-      std::cout << "samples of " << name << '\n' << std::flush;
-      for_each_model(variant, [&](Trial& trial) { write_samples(trial, path_cost(trial), out); });
-    }
+    for_each_model(variant, [&](Trial& trial) { write_samples(trial, path_cost(trial), out); });
     if (!out.flush()) throw std::runtime_error("can't write " + path.string());
   }
 
-  void score(const double threshold) const
+  /// prints the scores at several thresholds, without a cut, and the default's.
+  void score(const Variant variant, const std::vector<double>& thresholds) const
   {
-    for (const auto& [variant, name] : variants)
-    {
-      std::map<std::size_t, std::vector<double>> errors, default_errors;
-      double segments = 0., models = 0.;
-      for_each_model(variant,
-                     [&](Trial& trial)
+    std::vector<Scores> fitted(thresholds.size());
+    Scores plain;
+    for_each_model(variant,
+                   [&](const Trial& trial)
+                   {
+                     for (std::size_t i = 0; i < thresholds.size(); ++i)
                      {
-                       const std::size_t category = SM::category_of_model(trial.model.number);
-                       const auto fitted = fitted_regions(trial, threshold);
-                       errors[category].push_back(Patch_scores::rand_error(trial.model, fitted));
-                       const auto plain = WCS::internal::regions_at(
-                           WCS::internal::merge_patches(*trial.model.shape, m_parameters, {}),
-                           WCS::Level::SEGMENTS);
-                       default_errors[category].push_back(
-                           Patch_scores::rand_error(trial.model, plain));
-                       segments += 1. + *std::max_element(fitted.begin(), fitted.end());
-                       models += 1.;
-                     });
-      std::cout << name << ": fitted " << mean_of_means(errors) << ", default "
-                << mean_of_means(default_errors) << ", " << segments / models << " segments\n"
-                << std::flush;
-      if (variant == Variant::MESH)
-        for (const auto& [category, values] : errors)
-          std::cout << "  " << SM::category_names()[category] << ' ' << mean_of_means({{0, values}})
-                    << ' ' << mean_of_means({{0, default_errors[category]}}) << '\n';
-    }
+                       Trial own(trial.model, m_parameters);
+                       fitted[i].add(trial.model, fitted_regions(own, thresholds[i]));
+                     }
+                     plain.add(trial.model,
+                               WCS::internal::regions_at(WCS::internal::merge_patches(
+                                                             *trial.model.shape, m_parameters, {}),
+                                                         WCS::Level::SEGMENTS));
+                   });
+    plain.print("default");
+    for (std::size_t i = 0; i < thresholds.size(); ++i)
+      fitted[i].print("threshold " + std::to_string(thresholds[i]));
   }
 
 private:
-  static double mean_of_means(const std::map<std::size_t, std::vector<double>>& errors)
-  {
-    double sum = 0.;
-    for (const auto& entry : errors)
-    {
-      double within = 0.;
-      for (const double e : entry.second) within += e;
-      sum += within / static_cast<double>(entry.second.size());
-    }
-    return sum / static_cast<double>(errors.size());
-  }
-
   /// the order in which regions are merged while samples are taken
   Path_cost path_cost(Trial& trial) const
   {
@@ -269,10 +289,14 @@ int main(int argc, char** argv)
         std::cout << name.name << ' ' << name.monotone << '\n';
       return 0;
     }
-    if (task == "samples" && argc >= 4)
-      Fitting(argv[2], argc > 4 ? argv[4] : "").samples(argv[3]);
-    else if (task == "score" && argc == 5)
-      Fitting(argv[2], argv[3]).score(std::atof(argv[4]));
+    if (task == "samples" && argc >= 5)
+      Fitting(argv[2], argc > 5 ? argv[5] : "").samples(variant_of_name(argv[3]), argv[4]);
+    else if (task == "score" && argc >= 6)
+    {
+      std::vector<double> thresholds;
+      for (int i = 5; i < argc; ++i) thresholds.push_back(std::atof(argv[i]));
+      Fitting(argv[2], argv[4]).score(variant_of_name(argv[3]), thresholds);
+    }
     else
       throw std::invalid_argument("see the head of fit_merge_cost.cpp for the calls");
     return 0;

@@ -4,7 +4,7 @@
 
 """Fits the merge cost of the `fitted` preset to labeled shapes and writes it as a header.
 
-    fit_merge_cost.py PROGRAM DATA_DIR WORK_DIR [--header FILE] [--passes 2]
+    fit_merge_cost.py PROGRAM DATA_DIR WORK_DIR [--header FILE] [--passes 1] [--variants mesh,points]
 
 PROGRAM is build/bin/fit_merge_cost, DATA_DIR holds off/ and seg/ as the Princeton benchmark has
 them. Needs Debian's python3-numpy and python3-xgboost. Cross-validation leaves out whole categories:
@@ -145,27 +145,30 @@ def main():
     parser.add_argument("data")
     parser.add_argument("work", type=pathlib.Path)
     parser.add_argument("--header", type=pathlib.Path)
-    parser.add_argument("--passes", type=int, default=2)
-    parser.add_argument("--thresholds", default="0.574")
+    parser.add_argument("--passes", type=int, default=1)
+    parser.add_argument("--variants", default="mesh,points,four_views")
+    parser.add_argument("--thresholds", default="0.62")
     options = parser.parse_args()
     options.work.mkdir(parents=True, exist_ok=True)
     names = feature_names(options.program)
     monotone = [int(direction) for _, direction in names]
     parts = []
+    variants = options.variants.split(",")
     for number in range(options.passes):
-        path = options.work / f"samples{number + 1}.bin"
-        if not path.exists():
-            tables = [str(options.work)] if number > 0 else []
-            subprocess.run([options.program, "samples", options.data, str(path), *tables],
-                           check=True)
-        parts.append(read_samples(path, len(names)))
+        for variant in variants:
+            path = options.work / f"samples{number + 1}_{variant}.bin"
+            if not path.exists():
+                tables = [str(options.work)] if number > 0 else []
+                subprocess.run([options.program, "samples", options.data, variant, str(path),
+                                *tables], check=True)
+            parts.append(read_samples(path, len(names)))
         samples = tuple(np.concatenate(arrays) for arrays in zip(*parts))
         print(len(samples[0]), "samples", flush=True)
         cross_validate(samples, monotone, options.work)
-    for threshold in options.thresholds.split(","):
-        print("cross-validated, threshold", threshold, flush=True)
-        subprocess.run([options.program, "score", options.data, str(options.work), threshold],
-                       check=True)
+    for variant in variants:
+        print("cross-validated,", variant, flush=True)
+        subprocess.run([options.program, "score", options.data, variant, str(options.work),
+                        *options.thresholds.split(",")], check=True)
     if options.header:
         boosters = train(samples, np.ones(len(samples[0]), dtype=bool), monotone)
         write_header(options.header, boosters,
