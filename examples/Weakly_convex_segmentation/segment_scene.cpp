@@ -1,0 +1,141 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// One view of a depth camera, as PLY: finds what stands on the supporting plane, and its parts.
+
+#include "include/atomic_file.h"
+#include "include/part_colors.h"
+#include "include/read_shape.h"
+#include "include/scene_objects.h"
+#include "include/write_parts.h"
+
+#include <boost/program_options.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace po = boost::program_options;
+
+struct Files
+{
+  std::string input, parts, stats;
+};
+
+// returns whether there is something to do.
+bool read_options(const int argc, char** argv, Files& files, Scene_objects::Options& options)
+{
+  std::vector<double> viewpoint;
+  std::string preset;
+  po::options_description visible("segment_scene SCENE.ply [options]\n"
+                                  "finds the objects on a table, and their parts\nOptions");
+  visible.add_options()("help", "print this")(
+      "output,o", po::value(&files.parts), "coloured scene (PLY)")("stats", po::value(&files.stats),
+                                                                   "numbers of the objects (JSON)")(
+      "viewpoint", po::value(&viewpoint)->multitoken(), "x y z of the sensor, 0 0 0 by default")(
+      "cell", po::value(&options.cell)->default_value(options.cell), "thinning, in scene units")(
+      "plane-distance", po::value(&options.plane_distance)->default_value(options.plane_distance),
+      "half thickness of the plane")("gap", po::value(&options.gap)->default_value(options.gap),
+                                     "distance that separates objects")(
+      "preset", po::value(&preset)->default_value("default"), "default or fitted");
+  po::options_description all;
+  all.add(visible).add_options()("input", po::value(&files.input)->required(), "");
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::variables_map map;
+  po::store(po::command_line_parser(argc, argv)
+                .options(all)
+                .positional(positional)
+                .style(po::command_line_style::unix_style)
+                .run(),
+            map);
+  if (map.count("help") > 0)
+  {
+    std::cout << visible;
+    return false;
+  }
+  po::notify(map);
+  if (preset != "default" && preset != "fitted")
+    throw std::invalid_argument("there is no preset '" + preset + "'; use default or fitted");
+  if (preset == "fitted") options.parameters = Scene_objects::WCS::Parameters::fitted();
+  if (!(options.cell > 0. && options.plane_distance > 0. && options.gap > 0.))
+    throw std::invalid_argument("--cell, --plane-distance and --gap have to be above 0");
+  if (!viewpoint.empty() && viewpoint.size() != 3)
+    throw std::invalid_argument("--viewpoint takes three numbers");
+  if (viewpoint.size() == 3)
+    options.viewpoint = Scene_objects::Point(viewpoint[0], viewpoint[1], viewpoint[2]);
+  return true;
+}
+
+// The parts are 1, 2, ...; 0 is the plane and the background.
+void write_scene(const Shape_io::Shape& shape, const Scene_objects::Scene& scene,
+                 const std::string& path)
+{
+  Shape_io::Parts parts;
+  for (const std::size_t cell : scene.cell_of)
+  {
+    parts.labels.push_back(scene.part[cell] + 1);
+    parts.quality.push_back(static_cast<double>(scene.object[cell] + 1));
+  }
+  parts.colors = Shape_io::part_colors(Shape_io::part_neighbors(
+      shape, parts.labels, static_cast<std::size_t>(scene.number_of_parts) + 1));
+  parts.colors[0] = {190, 190, 190};
+  Shape_io::Atomic_file file(path);
+  Shape_io::write_parts(file.stream(), shape, parts);
+  file.commit();
+}
+
+void write_stats(const Scene_objects::Scene& scene, const double seconds, const std::string& path)
+{
+  nlohmann::ordered_json objects = nlohmann::ordered_json::array();
+  std::vector<std::size_t> sizes(scene.parts_of.size(), 0);
+  for (const std::size_t cell : scene.cell_of)
+    if (scene.object[cell] >= 0) ++sizes[static_cast<std::size_t>(scene.object[cell])];
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    objects.push_back({{"points", sizes[i]}, {"parts", scene.parts_of[i]}});
+  const auto& plane = scene.plane;
+  const nlohmann::ordered_json stats = {{"points", scene.cell_of.size()},
+                                        {"cells", scene.cells.size()},
+                                        {"plane", {plane.a(), plane.b(), plane.c(), plane.d()}},
+                                        {"objects", objects},
+                                        {"parts", scene.number_of_parts},
+                                        {"seconds", seconds}};
+  Shape_io::Atomic_file file(path);
+  file.stream() << stats.dump(2) << '\n';
+  file.commit();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    Files files;
+    Scene_objects::Options options;
+    if (!read_options(argc, argv, files, options)) return EXIT_SUCCESS;
+    const auto begin = std::chrono::steady_clock::now();
+    const Shape_io::Shape shape = Shape_io::read_shape(files.input);
+    if (shape.is_mesh()) throw std::runtime_error("the input is a mesh; give a cloud of points");
+    const Scene_objects::Scene scene = Scene_objects::segment_scene(shape.points, options);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!files.parts.empty()) write_scene(shape, scene, files.parts);
+    if (!files.stats.empty()) write_stats(scene, seconds, files.stats);
+    std::cout << scene.parts_of.size() << " objects of " << scene.number_of_parts << " parts in "
+              << seconds << " seconds\n";
+    return EXIT_SUCCESS;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "segment_scene: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
