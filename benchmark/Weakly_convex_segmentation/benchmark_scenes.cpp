@@ -40,8 +40,8 @@ bool read_options(const int argc, char** argv, Options& options)
                                   "scores objects and parts of the scenes *.ply, which have an int "
                                   "property 'label': 1 to 9 the "
                                   "table, 20 to 29 the first object, 30 to 39 the second, ...");
-  visible.add_options()("help", "print this")(
-      "preset", po::value(&preset)->default_value("default"), "default or fitted")(
+  visible.add_options()("help", "print this")("preset", po::value(&preset)->default_value("fitted"),
+                                              "default or fitted")(
       "cell", po::value(&scene.cell)->default_value(scene.cell), "thinning in meters")(
       "normal-neighbors", po::value(&scene.normal_neighbors)->default_value(scene.normal_neighbors),
       "points that a normal comes from")(
@@ -60,7 +60,9 @@ bool read_options(const int argc, char** argv, Options& options)
     return false;
   }
   po::notify(map);
-  if (preset == "fitted") scene.parameters = Scene_objects::WCS::Parameters::fitted();
+  if (preset != "default" && preset != "fitted")
+    throw std::invalid_argument("there is no preset '" + preset + "'; use default or fitted");
+  if (preset == "default") scene.parameters = Scene_objects::WCS::Parameters();
   for (const std::string& s : settings) Named_parameters::set_parameter(scene.parameters, s);
   return true;
 }
