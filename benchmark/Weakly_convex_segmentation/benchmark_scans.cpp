@@ -207,10 +207,30 @@ void print_table(const std::vector<Row>& rows)
   }
 }
 
+/// returns the models that are named, or the first ones of each category.
+std::vector<int> choose_models(const std::filesystem::path& data, const std::string& ids,
+                               const std::size_t per_category)
+{
+  std::vector<int> models;
+  std::istringstream id_list(ids);
+  for (std::string word; std::getline(id_list, word, ',');) models.push_back(std::stoi(word));
+  std::map<std::size_t, std::size_t> taken;
+  for (int model = 1; model <= 400 && ids.empty(); ++model)
+    if (SM::is_in_benchmark(model) &&
+        std::filesystem::exists(data / "off" / (std::to_string(model) + ".off")) &&
+        (per_category == 0 || taken[SM::category_of_model(model)]++ < per_category))
+      models.push_back(model);
+  if (models.empty())
+    throw std::runtime_error("there are no models in " + (data / "off").string() +
+                             "; give the folder that holds off/ and seg/");
+  return models;
+}
+
 /// returns whether there is something to run.
 bool read_options(const int argc, char** argv, Options& options)
 {
-  std::string ids, methods;
+  // as strings: a path is read from a text only up to its first space
+  std::string ids, methods, data, csv, clouds;
   std::vector<std::string> settings;
   std::size_t per_category = 0;
   po::options_description visible("benchmark_scans DATA_DIR [options]\n"
@@ -220,12 +240,12 @@ bool read_options(const int argc, char** argv, Options& options)
       "only the first so many models of each category; 0: all")(
       "methods", po::value(&methods)->default_value("default,fitted"), "of default,fitted,sdf")(
       "only", po::value(&options.only), "only clouds whose name has this in it, as '2 views'")(
-      "csv", po::value(&options.csv), "write a row a model, cloud and method")(
-      "clouds", po::value(&options.clouds), "write the clouds to this folder")(
+      "csv", po::value(&csv), "write a row a model, cloud and method")(
+      "clouds", po::value(&clouds), "write the clouds to this folder")(
       "set", po::value(&settings)->composing(), "NAME=VALUE of a parameter; may be repeated")(
       "jobs", po::value(&options.jobs)->default_value(1), "models at once, each single-threaded");
   po::options_description all;
-  all.add(visible).add_options()("data", po::value(&options.data)->required(), "");
+  all.add(visible).add_options()("data", po::value(&data)->required(), "");
   po::positional_options_description positional;
   positional.add("data", 1);
   po::variables_map map;
@@ -236,22 +256,15 @@ bool read_options(const int argc, char** argv, Options& options)
     return false;
   }
   po::notify(map);
+  options.data = data;
+  options.csv = csv;
+  options.clouds = clouds;
   for (const std::string& s : settings)
     for (WCS::Parameters* p : {&options.parameters, &options.fitted})
       Named_parameters::set_parameter(*p, s);
-  std::istringstream method_list(methods), id_list(ids);
+  std::istringstream method_list(methods);
   for (std::string word; std::getline(method_list, word, ',');) options.methods.insert(word);
-  for (std::string word; std::getline(id_list, word, ',');)
-    options.models.push_back(std::stoi(word));
-  std::map<std::size_t, std::size_t> taken;
-  for (int model = 1; model <= 400 && ids.empty(); ++model)
-    if (SM::is_in_benchmark(model) &&
-        std::filesystem::exists(options.data / "off" / (std::to_string(model) + ".off")) &&
-        (per_category == 0 || taken[SM::category_of_model(model)]++ < per_category))
-      options.models.push_back(model);
-  if (options.models.empty())
-    throw std::runtime_error("there are no models in " + (options.data / "off").string() +
-                             "; give the folder that holds off/ and seg/");
+  options.models = choose_models(options.data, ids, per_category);
   if (!options.clouds.empty()) std::filesystem::create_directories(options.clouds);
   return true;
 }

@@ -34,7 +34,7 @@ struct Options
 bool read_options(const int argc, char** argv, Options& options)
 {
   std::vector<std::string> settings;
-  std::string preset;
+  std::string preset, scenes; // a path is read from a text only up to its first space
   Scene_objects::Options& scene = options.scene;
   po::options_description visible("benchmark_scenes SCENE_DIR [options]\n"
                                   "scores objects and parts of the scenes *.ply, which have an int "
@@ -49,7 +49,7 @@ bool read_options(const int argc, char** argv, Options& options)
       "half thickness of the plane in meters")("set", po::value(&settings)->composing(),
                                                "NAME=VALUE of a parameter; may be repeated");
   po::options_description all;
-  all.add(visible).add_options()("scenes", po::value(&options.scenes)->required(), "");
+  all.add(visible).add_options()("scenes", po::value(&scenes)->required(), "");
   po::positional_options_description positional;
   positional.add("scenes", 1);
   po::variables_map map;
@@ -60,6 +60,7 @@ bool read_options(const int argc, char** argv, Options& options)
     return false;
   }
   po::notify(map);
+  options.scenes = scenes;
   if (preset != "default" && preset != "fitted")
     throw std::invalid_argument("there is no preset '" + preset + "'; use default or fitted");
   if (preset == "default") scene.parameters = Scene_objects::WCS::Parameters();
