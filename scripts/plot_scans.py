@@ -39,13 +39,14 @@ def overall(means, wanted_condition, method):
 
 
 def draw_curves(axes, value, methods):
-    for method in methods:
+    for color, method in enumerate(methods):
         for noise in (False, True):
             heights = [value(condition(v, noise), method) for v in VIEWS]
             axes.plot(
                 range(len(VIEWS)),
                 heights,
                 "--" if noise else "-",
+                color=f"C{color}",
                 marker=".",
                 label=method + (", noise" if noise else ""),
             )

@@ -4,10 +4,10 @@
 
 # Installs the Debian (or Ubuntu) packages that are missing, and does nothing if none is.
 #
-#   scripts/setup.sh [GROUP...]      groups: build picture test doc; without any: build test
+#   scripts/setup.sh [GROUP...]      groups: build picture test doc report; without any: build test
 #
 # build: compiler and libraries; picture: the viewer of scripts/demo; test: what scripts/test needs
-# besides; doc: the tool that makes the manual.
+# besides; doc: the tool that makes the manual; report: what scripts/scan_report draws with.
 
 set -euo pipefail
 
@@ -16,6 +16,7 @@ build=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libe
 picture=(f3d xvfb xauth)
 test=(libbenchmark-dev clang-14 clang-format-14)
 doc=(doxygen)
+report=(python3-matplotlib)
 
 if (($# == 0)); then
   set -- build test
@@ -28,8 +29,9 @@ for group in "$@"; do
     picture) wanted+=("${picture[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     doc) wanted+=("${doc[@]}") ;;
+    report) wanted+=("${report[@]}") ;;
     *)
-      echo "setup.sh: there is no group '$group': build, picture, test, doc" >&2
+      echo "setup.sh: there is no group '$group': build, picture, test, doc, report" >&2
       exit 1
       ;;
   esac
