@@ -93,7 +93,8 @@ weakly_convex_segmentation(const Input& input, LabelMap label_map,
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// segments a polygon soup: polygons of 3 or more corners, in any orientation, that need not form a
-/// surface. Vertices at the same position count as one.
+/// surface. Vertices at the same position count as one. For the run, polygons are turned to agree with
+/// most of their piece, and closed pieces that are inside out are turned to the outside.
 ///
 /// \tparam PointRange a model of `ConstRange` of points
 /// \tparam PolygonRange a model of `ConstRange` of ranges of indices of points

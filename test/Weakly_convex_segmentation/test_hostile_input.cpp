@@ -99,7 +99,7 @@ Result segment_soup(const std::vector<Point>& points, const std::vector<Polygon>
                     const Parameters& parameters = {})
 {
   const Result result = CGAL::weakly_convex_segmentation_of_soup(points, polygons, parameters);
-  check_result(result, polygons.size());
+  check_result(result, polygons.size(), false);
   return result;
 }
 

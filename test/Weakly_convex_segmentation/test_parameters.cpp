@@ -5,10 +5,12 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+#include <CGAL/Weakly_convex_segmentation/internal/read_input.h>
 
 #include "named_parameters.h"
 #include "shapes_for_tests.h"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -48,6 +50,7 @@ std::map<std::string, Range> ranges()
                                          {"number_of_patches", {1., 1000.}},
                                          {"number_of_supervoxels", {1., 20000.}},
                                          {"patch_concavity_tolerance", {0., 180.}},
+                                         {"face_sampling_factor", {0., 1000.}},
                                          {"concave_edge_weight", {0., 1.}},
                                          {"samples_per_patch", {1., 100.}},
                                          {"disk_radius_factor", {1e-6, 10.}},
@@ -122,6 +125,9 @@ std::vector<Setting> settings()
           {"number_of_representatives", "default", "dumbbell", 1000.},
           {"use_mesh_adjacency", "default", "stretched dumbbell", 0.},
           {"seed", "default", "dumbbell", 9.},
+          {"face_sampling_factor", "default", "long triangles", 0.},
+          {"minimum_face_samples", "default", "long triangles", 9000.},
+          {"flip_inward_normals", "default", "inward dumbbell", 0.},
           {"number_of_patches", "default", "dumbbell", 40.},
           {"number_of_supervoxels", "default", "dumbbell", 400.},
           {"patch_concavity_tolerance", "default", "dumbbell", 40.},
@@ -176,17 +182,45 @@ Parameters preset_of(const Setting& setting)
   return parameters;
 }
 
+/// a round bar of long sides and fans at its ends, with the corners of its faces
+Raw_points long_prism()
+{
+  constexpr std::size_t n = 60;
+  const auto corner = [](const std::size_t i, const double z)
+  {
+    const double turn = 6.283185307179586 * static_cast<double>(i % n) / n;
+    return Coordinates{std::cos(turn), std::sin(turn), z};
+  };
+  Raw_points raw;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Coordinates a = corner(i, 0.), b = corner(i + 1, 0.), c = corner(i + 1, 8.),
+                      d = corner(i, 8.);
+    for (const auto& face :
+         {std::vector<Coordinates>{a, b, c, d}, {{0., 0., 0.}, b, a}, {{0., 0., 8.}, d, c}})
+      CGAL::Weakly_convex_segmentation::internal::add_polygon(face, raw);
+  }
+  return raw;
+}
+
 const Raw_points& shape(const std::string& name)
 {
   static std::map<std::string, Raw_points> shapes;
   const auto [slot, is_new] = shapes.emplace(name, Raw_points());
   if (!is_new) return slot->second;
+  if (name == "long triangles")
+  {
+    slot->second = long_prism();
+    return slot->second;
+  }
   const bool is_stretched = name == "stretched dumbbell"; // neighbors across long edges are far
-  auto mesh =
-      Shape_generator::make_mesh(is_stretched ? "dumbbell" : name, name == "hand" ? 6000 : 3000);
+  auto mesh = Shape_generator::make_mesh(name == "hand" ? "hand" : "dumbbell",
+                                         name == "hand" ? 6000 : 3000);
   if (is_stretched)
     for (auto& p : mesh.points) p[0] *= 8.;
   slot->second = points_of_mesh(mesh);
+  if (name == "inward dumbbell")
+    for (auto& n : slot->second.normals) n = {-n[0], -n[1], -n[2]};
   return slot->second;
 }
 

@@ -92,6 +92,15 @@ struct Parameters
   /// Shapes of more points are thinned to about so many representatives, on which everything that
   /// is not linear in time runs; at least 100.
   std::size_t number_of_representatives = 20000;
+  /// Faces with an edge longer than so many square roots of the mean area of a face get more than one
+  /// point, as if they were cut there; the label of a face is that of most of its points. 0: one
+  /// point a face; `[0, 1000]`
+  double face_sampling_factor = 7.;
+  /// Meshes with fewer faces count as so many, for `face_sampling_factor`; at most 1e6.
+  std::size_t minimum_face_samples = 1000;
+  /// Whether all normals are turned, for the run, where the shape is closed and its normals point
+  /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
+  bool flip_inward_normals = true;
   /// whether the faces of a mesh count as neighbors where they share an edge
   bool use_mesh_adjacency = true;
   /// seed of all random choices
@@ -232,6 +241,7 @@ struct Parameters
 inline Parameters Parameters::paper()
 {
   Parameters p;
+  p.face_sampling_factor = 0.;  // section 6: one point a face
   p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
   p.number_of_patches = 100;    // silent; the trial of the method used 100
   p.patch_concavity_tolerance = 0.;
@@ -280,6 +290,8 @@ inline void Parameters::check() const
   { internal::check_range(name, static_cast<double>(value), low, high); };
   check("number_of_neighbors", number_of_neighbors, 3., 100.);
   check("number_of_representatives", number_of_representatives, 100., 1e9);
+  check("face_sampling_factor", face_sampling_factor, 0., 1000.);
+  check("minimum_face_samples", minimum_face_samples, 0., 1e6);
   check("number_of_patches", number_of_patches, 1., 1000.);
   check("number_of_supervoxels", number_of_supervoxels, 1., 20000.);
   check("patch_concavity_tolerance", patch_concavity_tolerance, 0., 180.);

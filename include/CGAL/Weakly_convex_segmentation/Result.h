@@ -29,11 +29,15 @@ struct Segment
 /// Labels are numbered from 0 without gaps, in the order of the first element in which they occur.
 struct Result
 {
-  std::vector<int> labels;              ///< label of each input element, in input order
-  std::vector<Segment> segments;        ///< one for each label
-  std::vector<int> patches;             ///< patch of each input element: a leaf of `merge_tree`
+  std::vector<int> labels;       ///< label of each input element, in input order
+  std::vector<Segment> segments; ///< one for each label
+  /// patch of each input element: a leaf of `merge_tree`. Where faces have several points, it is that
+  /// of most of them, and a leaf may be without a face.
+  std::vector<int> patches;
   Merge_tree merge_tree;                ///< how the patches were merged, down to one segment
   std::size_t number_of_components = 0; ///< number of weakly convex components before merging
+  /// whether all normals were turned for the run, see `Parameters::flip_inward_normals`
+  bool has_flipped_normals = false;
 
   /// number of segments
   std::size_t number_of_segments() const { return segments.size(); }

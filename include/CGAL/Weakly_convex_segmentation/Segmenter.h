@@ -90,10 +90,10 @@ public:
   /// \throws std::invalid_argument if there is not one an element
   void set_diameters(const std::vector<double>& diameters)
   {
-    if (diameters.size() != m_shape->input.size())
+    if (diameters.size() != m_shape->input.number_of_elements)
       throw std::invalid_argument("there are " + std::to_string(diameters.size()) +
-                                  " diameters for " + std::to_string(m_shape->input.size()) +
-                                  " elements");
+                                  " diameters for " +
+                                  std::to_string(m_shape->input.number_of_elements) + " elements");
     internal::use_diameters(*m_shape, diameters);
   }
 
@@ -114,9 +114,9 @@ public:
     if (!(tolerance >= 0. && tolerance <= 90.))
       throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
                                   " degrees, give a value from 0 to 90");
-    const std::size_t n = m_shape->input.size();
+    const std::size_t n = m_shape->input.number_of_elements;
     std::vector<std::size_t> rank(n);
-    for (std::size_t i = 0; i < n; ++i) rank[m_shape->input.elements[i]] = i;
+    for (std::size_t i = 0; i < m_shape->input.size(); ++i) rank[m_shape->input.elements[i]] = i;
     std::vector<internal::Index> points;
     for (const std::size_t element : subset)
     {

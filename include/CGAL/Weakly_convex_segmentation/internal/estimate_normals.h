@@ -6,6 +6,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/mst_orient_normals.h>
 #include <CGAL/pca_estimate_normals.h>
@@ -22,6 +23,24 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
+
+/// orients the normals along a minimum spanning tree, then again those of the pieces that the tree has
+/// not reached: each begins at its highest point.
+template <typename Points, typename NamedParameters>
+void orient_normals(Points& points, const unsigned int neighbors, const NamedParameters& np)
+{
+  constexpr std::size_t smallest_piece = 4; // fewer have no plane
+  constexpr int most_pieces = 64;           // each costs a search tree over the rest
+  auto first = points.begin();
+  for (int piece = 0; piece < most_pieces; ++piece)
+  {
+    if (static_cast<std::size_t>(points.end() - first) < smallest_piece) return;
+    auto rest = CGAL::make_range(first, points.end());
+    const auto unoriented = CGAL::mst_orient_normals(rest, neighbors, np); // moved to the end
+    if (unoriented == first) return;
+    first = unoriented;
+  }
+}
 
 /// fills `raw.normals`. Points that the orientation does not reach keep their unoriented normal.
 template <typename ConcurrencyTag>
@@ -42,7 +61,7 @@ void estimate_normals(Raw_points& raw)
     const auto np = CGAL::parameters::point_map(CGAL::Nth_of_tuple_property_map<0, Oriented>())
                         .normal_map(CGAL::Nth_of_tuple_property_map<1, Oriented>());
     CGAL::pca_estimate_normals<ConcurrencyTag>(points, neighbors, np);
-    CGAL::mst_orient_normals(points, neighbors, np); // moves unoriented points to the end
+    orient_normals(points, neighbors, np);
   }
   raw.normals.assign(points.size(), {0., 0., 1.});
   for (const auto& [point, normal, index] : points)

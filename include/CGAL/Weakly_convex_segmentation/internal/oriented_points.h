@@ -29,6 +29,9 @@ struct Raw_points
   std::vector<std::array<double, 3>> positions;
   std::vector<std::array<double, 3>> normals; ///< of any length; zero where there is none
   std::vector<std::array<Index, 2>> links;    ///< pairs of faces that share an edge
+  std::vector<Index> element_of; ///< input element of each point; empty if they are the same
+  std::vector<std::size_t> first_corner;      ///< of each face in `corners`, and the end; or empty
+  std::vector<std::array<double, 3>> corners; ///< of all faces
 };
 
 /// Points in the frame of the method: centered at the centroid, extent 1, in spatial order.
@@ -39,6 +42,7 @@ struct Oriented_points
   std::vector<Index> elements;             ///< input element of each point
   std::vector<std::array<Index, 2>> links; ///< pairs of points known to be neighbors
   double extent = 1.;                      ///< in units of the input
+  std::size_t number_of_elements = 0;      ///< of the input; several points may share one
 
   std::size_t size() const { return positions.size(); }
 };
@@ -158,10 +162,10 @@ inline Oriented_points orient_points(const Raw_points& raw)
 
   const Bounding_cube cube = bounding_cube(raw.positions);
   Oriented_points points;
-  points.elements = spatial_order(raw, cube);
+  const std::vector<Index> order = spatial_order(raw, cube);
 
   std::array<double, 3> centroid = {0., 0., 0.}; // relative to the corner, against cancellation
-  for (const Index i : points.elements)
+  for (const Index i : order)
     for (int c = 0; c < 3; ++c)
       centroid[c] += (raw.positions[i][c] - cube.corner[c]) / static_cast<double>(n);
   double radius = 0.;
@@ -175,8 +179,8 @@ inline Oriented_points orient_points(const Raw_points& raw)
   points.normals.resize(n);
   for (std::size_t i = 0; i < n; ++i)
   {
-    const auto& p = raw.positions[points.elements[i]];
-    const auto& v = raw.normals[points.elements[i]];
+    const auto& p = raw.positions[order[i]];
+    const auto& v = raw.normals[order[i]];
     const auto coordinate = [&](const int c)
     { return static_cast<float>((p[c] - cube.corner[c] - centroid[c]) / points.extent); };
     points.positions[i] = {coordinate(0), coordinate(1), coordinate(2)};
@@ -188,8 +192,17 @@ inline Oriented_points orient_points(const Raw_points& raw)
   if (!raw.links.empty())
   {
     std::vector<Index> rank(n);
-    for (std::size_t i = 0; i < n; ++i) rank[points.elements[i]] = static_cast<Index>(i);
+    for (std::size_t i = 0; i < n; ++i) rank[order[i]] = static_cast<Index>(i);
     points.links = renamed_links(raw.links, rank);
+  }
+  points.elements = order;
+  points.number_of_elements = n;
+  if (!raw.element_of.empty())
+  {
+    for (Index& element : points.elements) element = raw.element_of[element];
+    points.number_of_elements =
+        1 +
+        static_cast<std::size_t>(*std::max_element(raw.element_of.begin(), raw.element_of.end()));
   }
   return points;
 }

@@ -224,13 +224,35 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
   return result;
 }
 
-/// returns one label an input element from those of the representatives.
-inline std::vector<int> element_labels(const Shape_analysis& shape, const std::vector<int>& labels)
+/// returns one label an input element from those of the points: what most of its points have, the
+/// smallest of such.
+inline std::vector<int> element_labels(const Oriented_points& points,
+                                       const std::vector<int>& labels)
 {
-  std::vector<int> result(shape.input.size());
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[shape.input.elements[i]] = labels[shape.representative(i)];
+  std::vector<int> result(points.number_of_elements);
+  for (std::size_t i = 0; i < points.size(); ++i) result[points.elements[i]] = labels[i];
+  if (points.size() == points.number_of_elements) return result;
+
+  std::vector<std::pair<Index, int>> votes(points.size());
+  for (std::size_t i = 0; i < votes.size(); ++i) votes[i] = {points.elements[i], labels[i]};
+  std::sort(votes.begin(), votes.end());
+  std::vector<std::size_t> most(result.size(), 0);
+  for (std::size_t first = 0, last = 0; first < votes.size(); first = last)
+  {
+    while (last < votes.size() && votes[last] == votes[first]) ++last;
+    const auto [element, label] = votes[first];
+    if (last - first > most[element]) most[element] = last - first, result[element] = label;
+  }
   return result;
+}
+
+/// returns the patch of each input element.
+inline std::vector<int> element_patches(const Shape_analysis& shape)
+{
+  std::vector<int> patches(shape.input.size());
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    patches[i] = shape.patches.of_point[shape.representative(i)];
+  return element_labels(shape.input, patches);
 }
 
 /// gives each representative the final label of one of its points.
@@ -294,15 +316,14 @@ inline Result finish_segmentation(const Shape_analysis& shape, Merge_tree tree,
   control.stage(Stage::STATISTICS,
                 [&]
                 {
-                  result.labels.resize(input_labels.size());
-                  for (std::size_t i = 0; i < input_labels.size(); ++i)
-                    result.labels[shape.input.elements[i]] = input_labels[i];
+                  result.labels = element_labels(shape.input, input_labels);
                   const std::size_t count = number_labels(result.labels);
                   relabel_representatives(shape, result.labels, labels);
                   result.segments = describe_segments(shape, labels, result.labels, count);
-                  result.patches = element_labels(shape, shape.patches.of_point);
+                  result.patches = element_patches(shape);
                   return count;
                 });
+  result.has_flipped_normals = shape.has_flipped_normals;
   result.number_of_components = tree.number_of_patches() - tree.number_of_fusions();
   result.merge_tree = std::move(tree);
   return result;

@@ -7,6 +7,7 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+#include <CGAL/Weakly_convex_segmentation/internal/soup_orientation.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -188,6 +189,9 @@ inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_points& raw
   }
   raw.positions.push_back(centroid);
   raw.normals.push_back(normal);
+  if (raw.first_corner.empty()) raw.first_corner.push_back(0);
+  raw.corners.insert(raw.corners.end(), polygon.begin(), polygon.end());
+  raw.first_corner.push_back(raw.corners.size());
 }
 
 /// reads a mesh as one point a face (section 6): centroid, normal, and links between faces that
@@ -228,7 +232,8 @@ inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& 
   return welded;
 }
 
-/// reads a polygon soup as one point a polygon, with links between those that share an edge.
+/// reads a polygon soup as one point a polygon, with links between those that share an edge. The
+/// normals are made consistent, see `orient_soup()`.
 /// \throws std::invalid_argument if an index is out of range or a polygon has under 3 corners.
 template <typename PointRange, typename PolygonRange, typename PointMap,
           typename Traits = Default_traits>
@@ -244,7 +249,7 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
   Raw_points raw;
   std::map<std::pair<std::size_t, std::size_t>, Index> first_at_edge;
   std::vector<Coordinates> corners;
-  std::vector<std::size_t> vertices;
+  std::vector<std::size_t> vertices, all_vertices;
   for (const auto& polygon : polygons)
   {
     const Index f = static_cast<Index>(raw.positions.size());
@@ -269,7 +274,9 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
       const auto [slot, is_new] = first_at_edge.emplace(edge, f);
       if (!is_new && slot->second != f) raw.links.push_back({slot->second, f});
     }
+    all_vertices.insert(all_vertices.end(), vertices.begin(), vertices.end());
   }
+  if (!raw.positions.empty()) orient_soup(all_vertices, raw.first_corner, raw);
   return raw;
 }
 

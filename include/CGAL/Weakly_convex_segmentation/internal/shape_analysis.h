@@ -6,7 +6,9 @@
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
+#include <CGAL/Weakly_convex_segmentation/internal/mesh_samples.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/normal_direction.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
@@ -51,6 +53,7 @@ struct Run_control
 struct Shape_analysis
 {
   Oriented_points input;
+  bool has_flipped_normals = false; ///< those of the input pointed inwards
   Representatives representatives;
   Neighbor_graph graph;
   Patches patches;
@@ -73,9 +76,17 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
   control.stage(Stage::SAMPLING,
                 [&]
                 {
-                  shape->input = orient_points(raw);
+                  Raw_points sampled;
+                  shape->input =
+                      orient_points(sample_faces(raw, parameters, sampled) ? sampled : raw);
                   shape->representatives =
                       choose_representatives(shape->input, parameters.number_of_representatives);
+                  if (parameters.flip_inward_normals && is_inside_out(shape->points()))
+                  {
+                    flip_normals(shape->input);
+                    flip_normals(shape->representatives.points);
+                    shape->has_flipped_normals = true;
+                  }
                   if (!parameters.use_mesh_adjacency) shape->representatives.points.links.clear();
                   return shape->points().size();
                 });
