@@ -106,6 +106,8 @@ inline void take_polygons(std::vector<Bounded_polygon>& from, Shape& shape)
 // and line ends: that is what CGAL's readers of OBJ and XYZ split lines at.
 inline std::string plain_text(std::string text)
 {
+  // Old Macs ended lines with a carriage return alone.
+  if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
   std::replace_if(
       text.begin(), text.end(), [](const char c) { return c == '\t' || c == '\r'; }, ' ');
   text += '\n';
@@ -190,7 +192,7 @@ inline Off_signature off_signature(const std::string& text)
 
 inline void read_off(const std::string& bytes, Shape& shape)
 {
-  std::string text = bytes + '\n';
+  std::string text = plain_text(bytes);
   const Off_signature signature = off_signature(text);
   // CGAL's reader crashes where a color is missing: it is not told of the colors, and so passes
   // over what follows the point and its normal.
@@ -205,12 +207,18 @@ inline void read_off(const std::string& bytes, Shape& shape)
   refuse_unless(good, "OFF");
   take_polygons(polygons, shape);
   if (!shape.is_mesh() && !signature.has_normals && !signature.has_colors_or_textures)
-    read_off_cloud(plain_text(text), shape);
+    read_off_cloud(text, shape);
 }
 
 inline void read_obj(const std::string& bytes, Shape& shape)
 {
-  const std::string text = plain_text(bytes);
+  std::string text = plain_text(bytes);
+  // A backslash at the end of a line, before blanks that plain_text() may have made, continues it.
+  for (std::size_t i = text.find('\\'); i != std::string::npos; i = text.find('\\', i + 1))
+  {
+    const std::size_t end = text.find_first_not_of(' ', i + 1);
+    if (end != std::string::npos && text[end] == '\n') text[i] = text[end] = ' ';
+  }
   Byte_stream stream(text.data(), text.size());
   std::vector<Bounded_polygon> polygons;
   refuse_unless(CGAL::IO::read_OBJ(stream, shape.points, polygons), "OBJ mesh with faces");
@@ -282,7 +290,14 @@ inline std::string file_bytes(const std::string& path)
     throw std::runtime_error("it is a folder; name a file");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error("it can't be opened; check its permissions");
-  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  std::string bytes;
+  std::vector<char> block(1 << 20);
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0)
+    bytes.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  // Some editors put a byte order mark before text; a binary STL may begin with any bytes.
+  const bool is_stl = reader_for(path) == read_stl;
+  if (bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 && (!is_stl || bytes.compare(3, 5, "solid") == 0))
+    bytes.erase(0, 3);
   if (bytes.empty()) throw std::runtime_error("the file is empty; copy or export it again");
   return bytes;
 }
