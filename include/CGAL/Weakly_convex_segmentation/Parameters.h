@@ -202,7 +202,7 @@ struct Parameters
   /// is at most this; `[0, 1]`.
   double fitted_fusion_threshold = 0.12;
   /// The same for merging components into segments; `[0, 1]`.
-  double fitted_merging_threshold = 0.574;
+  double fitted_merging_threshold = 0.64;
 
   /// @}
   /// \name All contractions
