@@ -118,8 +118,7 @@ inline Model load(const std::filesystem::path& data, const int number,
   Model model;
   model.number = number;
   model.shape = WCS::internal::analyze_shape(raw, parameters, {});
-  const std::vector<int> patches =
-      WCS::internal::element_patches(*model.shape);
+  const std::vector<int> patches = WCS::internal::element_patches(*model.shape);
   model.faces = static_cast<double>(patches.size());
   model.patch_sizes.assign(model.shape->patches.size(), 0.);
   for (const int p : patches) model.patch_sizes[static_cast<std::size_t>(p)] += 1.;

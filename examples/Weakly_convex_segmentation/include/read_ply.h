@@ -178,7 +178,8 @@ inline void take_ply_points(std::vector<Property>&& columns, Shape& shape)
     throw std::runtime_error("its points lack x, y or z; export the shape again");
   for (std::size_t i = 0; i < xyz[0].size(); ++i)
     shape.points.emplace_back(xyz[0][i], xyz[1][i], xyz[2][i]);
-  if (take_columns(columns, {"nx", "ny", "nz"}, xyz))
+  if (take_columns(columns, {"nx", "ny", "nz"}, xyz) ||
+      take_columns(columns, {"normal_x", "normal_y", "normal_z"}, xyz))
     for (std::size_t i = 0; i < xyz[0].size(); ++i)
       shape.normals.emplace_back(xyz[0][i], xyz[1][i], xyz[2][i]);
   shape.point_properties = std::move(columns);

@@ -16,8 +16,7 @@
 #include <vector>
 
 // A depth camera that looks at a mesh from some viewpoints, as scanners do: it sees one side of what is
-// in front, with noise, and nothing of what it grazes. A depth buffer finds the first hits: for images
-// of this size it takes a tenth of the time of a search tree's rays, and gives the same answer.
+// in front, with noise, and nothing of what it grazes. A depth buffer finds the first hits.
 //
 // A mesh is anything with `points` (three doubles each) and `faces` (three indices each).
 
