@@ -121,11 +121,11 @@ Raw_points cloud(const std::string& name, const std::size_t count)
 }
 
 /// a long bar of a square section, coarse: each long side is two triangles, each end a fan of many
-Soup bar(const std::size_t fan)
+Soup bar(const std::size_t fan, const double length = 10.)
 {
   Soup soup;
   const std::array<std::array<double, 2>, 4> square = {{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}};
-  for (const double z : {0., 10.})
+  for (const double z : {0., length})
     for (const auto& [x, y] : square) soup.points.emplace_back(x, y, z);
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(every_face_of_a_damaged_shape_gets_a_label)
   for (unsigned int seed = 0; seed < 24; ++seed)
   {
     std::mt19937 random(seed);
-    Soup soup = make_soup(names[seed % names.size()], 700);
+    Soup soup = make_soup(names[seed % names.size()], 1200);
     damage(soup, seed % 9, random);
     if (seed >= 9) damage(soup, random() % 9, random);
     BOOST_TEST_CONTEXT("seed " << seed)
@@ -264,8 +264,22 @@ BOOST_AUTO_TEST_CASE(long_faces_get_more_points)
   for (const auto f : sampled.element_of) ++points[f];
   for (std::size_t f = 0; f < points.size(); ++f) BOOST_CHECK_EQUAL(points[f] > 1, f < 8);
   check_result(segment(soup), soup.polygons.size(), false);
-  BOOST_CHECK_EQUAL(segment(soup).number_of_segments(), 1u); // a bar is convex
   Parameters off;
   off.face_sampling_factor = 0.;
   BOOST_CHECK(!WCS::internal::sample_faces(raw, off, sampled));
+}
+
+// The nearest neighbors of the points of a long bar all lie in its own ring of points: it is the mesh
+// that holds the rings together.
+BOOST_AUTO_TEST_CASE(long_bars_are_one_segment)
+{
+  for (const double length : {3., 10., 30., 100.})
+    for (const std::size_t fan : {1u, 5u, 40u, 160u})
+      BOOST_TEST_CONTEXT("length " << length << ", fan " << fan)
+      {
+        const Soup soup = bar(fan, length);
+        const Result result = segment(soup);
+        check_result(result, soup.polygons.size(), false);
+        BOOST_CHECK_EQUAL(result.number_of_segments(), 1u); // a bar is convex
+      }
 }

@@ -127,46 +127,86 @@ inline double total_area(const Raw_points& raw)
   return area;
 }
 
-/// links the samples of faces that share an edge: each end's nearest on the other side.
+/// The points of each face: the first has the face's own index, the others follow all faces.
+class Points_of_faces
+{
+public:
+  Points_of_faces(const std::size_t faces, const Face_samples& samples)
+    : m_faces(faces), m_samples(samples), m_rank(faces, none)
+  {
+    for (std::size_t i = 0; i < samples.faces.size(); ++i)
+      m_rank[samples.faces[i]] = static_cast<Index>(i);
+  }
+
+  bool has_one(const Index face) const { return m_rank[face] == none; }
+  std::vector<Index> operator[](const Index face) const
+  {
+    std::vector<Index> points = {face};
+    if (has_one(face)) return points;
+    const std::size_t rank = m_rank[face];
+    for (std::size_t s = m_samples.first[rank] + 1; s < m_samples.first[rank + 1]; ++s)
+      points.push_back(static_cast<Index>(m_faces + s - rank - 1));
+    return points;
+  }
+
+private:
+  static constexpr Index none = static_cast<Index>(-1);
+  std::size_t m_faces;
+  const Face_samples& m_samples;
+  std::vector<Index> m_rank; ///< of the faces with several points among these
+};
+
+/// returns the point of `[first, last)` that is nearest to `p`, and its squared distance.
+template <typename Iterator>
+std::pair<Index, double> nearest_of(const std::vector<std::array<double, 3>>& positions,
+                                    const Index p, const Iterator first, const Iterator last)
+{
+  std::pair<Index, double> nearest = {*first, std::numeric_limits<double>::infinity()};
+  for (Iterator q = first; q != last; ++q)
+  {
+    const double d = squared_distance(positions[p], positions[*q]);
+    if (d < nearest.second) nearest = {*q, d};
+  }
+  return nearest;
+}
+
+/// links the samples of a face, and those of faces that share an edge: what the mesh joins is joined,
+/// though the nearest neighbors of samples may all lie at one end of a long face.
 inline void link_samples(const Raw_points& raw, const Face_samples& samples, const double longest,
                          Raw_points& result)
 {
-  constexpr Index none = static_cast<Index>(-1);
   constexpr std::size_t most_pairs = 1000000; // of a link; the nearest neighbors do without it
-  const Index faces = static_cast<Index>(raw.positions.size());
-  std::vector<Index> sampled(faces, none);
-  for (std::size_t i = 0; i < samples.faces.size(); ++i)
-    sampled[samples.faces[i]] = static_cast<Index>(i);
-  // the first sample of a face has the face's own index, the others follow the faces
-  const auto points_of = [&](const Index f)
+  constexpr std::size_t most_earlier = 1000;  // of a face; the latest ones are near
+  const Points_of_faces points(raw.positions.size(), samples);
+  for (const Index face : samples.faces)
   {
-    std::vector<Index> points = {f};
-    if (sampled[f] != none)
-      for (std::size_t s = samples.first[sampled[f]] + 1; s < samples.first[sampled[f] + 1]; ++s)
-        points.push_back(static_cast<Index>(faces + s - sampled[f] - 1));
-    return points;
-  };
+    const std::vector<Index> own = points[face];
+    for (std::size_t i = 1; i < own.size(); ++i) // a tree: each joins one that is there already
+    {
+      const auto end = own.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto begin = end - static_cast<std::ptrdiff_t>((std::min)(i, most_earlier));
+      result.links.push_back({own[i], nearest_of(result.positions, own[i], begin, end).first});
+    }
+  }
   for (const auto& link : raw.links)
   {
-    if (sampled[link[0]] == none && sampled[link[1]] == none)
+    if (points.has_one(link[0]) && points.has_one(link[1]))
     {
       result.links.push_back(link);
       continue;
     }
-    const std::vector<Index> a = points_of(link[0]), b = points_of(link[1]);
-    if (a.size() * b.size() > most_pairs) continue;
-    for (const Index p : a.size() < b.size() ? a : b)
+    std::vector<Index> few = points[link[0]], many = points[link[1]];
+    if (few.size() > many.size()) few.swap(many);
+    if (few.size() * many.size() > most_pairs) continue;
+    std::array<Index, 2> closest = link;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index p : few)
     {
-      const std::vector<Index>& others = a.size() < b.size() ? b : a;
-      Index nearest = others.front();
-      double best = std::numeric_limits<double>::infinity();
-      for (const Index q : others)
-      {
-        const double d = squared_distance(result.positions[p], result.positions[q]);
-        if (d < best) best = d, nearest = q;
-      }
-      if (best <= longest * longest) result.links.push_back({p, nearest});
+      const auto [q, d] = nearest_of(result.positions, p, many.begin(), many.end());
+      if (d <= longest * longest) result.links.push_back({p, q});
+      if (d < least) least = d, closest = {p, q};
     }
+    if (least > longest * longest) result.links.push_back(closest);
   }
 }
 
