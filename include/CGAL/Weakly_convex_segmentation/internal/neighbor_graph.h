@@ -4,23 +4,15 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_NEIGHBOR_GRAPH_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_NEIGHBOR_GRAPH_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Nearest_points.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
-
-#include <CGAL/Kd_tree.h>
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -59,57 +51,6 @@ struct Neighbor_graph
   std::size_t size() const { return spacing.size(); }
 };
 
-/// k-d tree over positions; a `Point_3` of CGAL is three floats, as ours.
-class Nearest_points
-{
-  using Kernel = CGAL::Simple_cartesian<float>;
-  using Point_3 = Kernel::Point_3;
-  struct Position_map
-  {
-    using key_type = Index;
-    using value_type = Point_3;
-    using reference = const Point_3&;
-    using category = boost::readable_property_map_tag;
-    const Point_3* points;
-    const Point_3& operator[](const Index i) const { return points[i]; }
-    friend const Point_3& get(const Position_map& map, const Index i) { return map.points[i]; }
-  };
-  using Traits = CGAL::Search_traits_adapter<Index, Position_map, CGAL::Search_traits_3<Kernel>>;
-  using Splitter = CGAL::Sliding_midpoint<Traits>;
-  using Tree = CGAL::Kd_tree<Traits, Splitter, CGAL::Tag_true, CGAL::Tag_true>;
-  using Distance = CGAL::Distance_adapter<Index, Position_map,
-                                          CGAL::Euclidean_distance<CGAL::Search_traits_3<Kernel>>>;
-  using Search = CGAL::Orthogonal_k_neighbor_search<Traits, Distance, Splitter, Tree>;
-
-public:
-  explicit Nearest_points(const std::vector<Vector3>& positions)
-    : m_points(positions.size()), m_map{nullptr}
-  {
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      m_points[i] = Point_3(positions[i].x, positions[i].y, positions[i].z);
-    m_map.points = m_points.data();
-    std::vector<Index> indices(positions.size());
-    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<Index>(i);
-    m_tree = std::make_unique<Tree>(indices.begin(), indices.end(), Splitter(20), Traits(m_map));
-    m_tree->build();
-  }
-
-  /// calls `found(index, squared_distance)` for the `k` points nearest to `query`.
-  template <typename Found>
-  void nearest(const Vector3& query, const std::size_t k, const Found& found) const
-  {
-    const Distance distance(m_map);
-    const Search search(*m_tree, Point_3(query.x, query.y, query.z), static_cast<unsigned int>(k),
-                        0.f, true, distance, false);
-    for (const auto& hit : search) found(hit.first, hit.second);
-  }
-
-private:
-  std::vector<Point_3> m_points;
-  Position_map m_map;
-  std::unique_ptr<Tree> m_tree;
-};
-
 /// returns the angle between the normals, negative if the edge is convex: concave iff
 /// (n_j - n_i) . (p_j - p_i) < 0, that is iff the normals lean towards each other.
 inline float signed_concavity(const Oriented_points& points, const Index i, const Index j)
@@ -132,22 +73,15 @@ inline std::vector<Index> nearest_neighbors(const Oriented_points& points, const
                [&](const std::size_t i)
                {
                  Index* row = &nearest[i * k];
-                 std::array<std::pair<float, Index>, 128> found;
                  std::size_t count = 0;
-                 tree.nearest(points.positions[i], (std::min)(k + 1, found.size()),
+                 float sum = 0.f;
+                 tree.nearest(points.positions[i], k + 1,
                               [&](const Index j, const float d2)
                               {
-                                if (j != i) found[count++] = {d2, j};
+                                if (j == i || count == k) return;
+                                row[count++] = j;
+                                sum += std::sqrt(d2);
                               });
-                 // ties are cut by index, so that the search's own order does not matter
-                 std::sort(found.begin(), found.begin() + count);
-                 count = (std::min)(count, k);
-                 float sum = 0.f;
-                 for (std::size_t j = 0; j < count; ++j)
-                 {
-                   row[j] = found[j].second;
-                   sum += std::sqrt(found[j].first);
-                 }
                  std::fill(row + count, row + k, static_cast<Index>(i));
                  spacing[i] = count > 0 ? sum / static_cast<float>(count) : 0.f;
                });
@@ -167,6 +101,56 @@ inline void fill_missing_normals(Oriented_points& points, const std::vector<Inde
   }
 }
 
+/// The other ends of the edges of each point, as rows in one array.
+struct Neighbor_rows
+{
+  std::vector<std::size_t> first; ///< size n + 1
+  std::vector<Index> ends;
+};
+
+/// returns who has a point among its nearest, and the ends of its links: of each point, ascending.
+inline Neighbor_rows incoming_neighbors(const Oriented_points& points,
+                                        const std::vector<Index>& nearest, const std::size_t k)
+{
+  const std::size_t n = points.size();
+  Neighbor_rows rows;
+  rows.first.assign(n + 1, 0);
+  for (std::size_t j = 0; j < nearest.size(); ++j) ++rows.first[nearest[j] + 1];
+  for (const auto& link : points.links) ++rows.first[link[0] + 1], ++rows.first[link[1] + 1];
+  for (std::size_t i = 0; i < n; ++i) rows.first[i + 1] += rows.first[i];
+  rows.ends.resize(rows.first[n]);
+  std::vector<std::size_t> fill(rows.first.begin(), rows.first.end() - 1);
+  for (std::size_t j = 0; j < nearest.size(); ++j)
+    rows.ends[fill[nearest[j]]++] = static_cast<Index>(j / k);
+  for (const auto& [a, b] : points.links) rows.ends[fill[a]++] = b, rows.ends[fill[b]++] = a;
+  if (!points.links.empty())
+    for (std::size_t i = 0; i < n; ++i)
+      std::sort(rows.ends.begin() + rows.first[i], rows.ends.begin() + rows.first[i + 1]);
+  return rows;
+}
+
+/// calls `visit` for the other ends of a point's edges in both directions, each once, ascending.
+template <typename Visit>
+void for_each_neighbor(const std::vector<Index>& nearest, const std::size_t k,
+                       const Neighbor_rows& incoming, const std::size_t i, const Visit& visit)
+{
+  std::array<Index, 128> own;
+  std::copy_n(nearest.begin() + i * k, k, own.begin());
+  std::sort(own.begin(), own.begin() + k);
+  const Index *out = own.data(), *const last_out = own.data() + k;
+  const Index *in = incoming.ends.data() + incoming.first[i], *const last_in =
+                                                                  incoming.ends.data() +
+                                                                  incoming.first[i + 1];
+  Index before = static_cast<Index>(i); // rows of too few points hold the point itself
+  while (out != last_out || in != last_in)
+  {
+    const Index next = in == last_in || (out != last_out && *out < *in) ? *out++ : *in++;
+    if (next == i || next == before) continue;
+    visit(next);
+    before = next;
+  }
+}
+
 /// builds the union of both directions of the k nearest neighbors and of the points' links.
 ///
 /// `points` is changed only where it has no normal. Complexity: O(n log n).
@@ -177,38 +161,31 @@ inline Neighbor_graph build_neighbor_graph(Oriented_points& points, const std::s
   const std::size_t n = points.size();
   const std::vector<Index> nearest = nearest_neighbors(points, k, graph.spacing, parallel);
   fill_missing_normals(points, nearest, k);
-
-  std::vector<std::size_t> fill(n + 1, 0);
-  const auto for_each_pair = [&](const auto& visit)
-  {
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = i * k; j < (i + 1) * k; ++j)
-        if (nearest[j] != i) visit(static_cast<Index>(i), nearest[j]);
-    for (const auto& link : points.links) visit(link[0], link[1]);
-  };
-  for_each_pair([&](const Index i, const Index j) { ++fill[i + 1], ++fill[j + 1]; });
-  for (std::size_t i = 0; i < n; ++i) fill[i + 1] += fill[i];
-  std::vector<Index> ends(fill[n]);
-  std::vector<std::size_t> begin(fill.begin(), fill.end());
-  for_each_pair([&](const Index i, const Index j) { ends[fill[i]++] = j, ends[fill[j]++] = i; });
+  const Neighbor_rows incoming = incoming_neighbors(points, nearest, k);
 
   graph.first.assign(n + 1, 0);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const auto first = ends.begin() + begin[i], last = ends.begin() + begin[i + 1];
-    std::sort(first, last);
-    graph.first[i + 1] = graph.first[i] + (std::unique(first, last) - first);
-  }
-  graph.neighbors.resize(graph.first[n]);
   parallel_for(n, parallel,
                [&](const std::size_t i)
                {
-                 Neighbor* out = graph.neighbors.data() + graph.first[i];
-                 const Neighbor* end = graph.neighbors.data() + graph.first[i + 1];
-                 for (const Index* j = ends.data() + begin[i]; out != end; ++j, ++out)
-                   *out = {*j, length(points.positions[*j] - points.positions[i]),
-                           signed_concavity(points, static_cast<Index>(i), *j)};
+                 std::size_t count = 0;
+                 for_each_neighbor(nearest, k, incoming, i, [&count](const Index) { ++count; });
+                 graph.first[i + 1] = count;
                });
+  for (std::size_t i = 0; i < n; ++i) graph.first[i + 1] += graph.first[i];
+  graph.neighbors.resize(graph.first[n]);
+  parallel_for(
+      n, parallel,
+      [&](const std::size_t i)
+      {
+        Neighbor* out = graph.neighbors.data() + graph.first[i];
+        for_each_neighbor(
+            nearest, k, incoming, i,
+            [&](const Index j)
+            {
+              const Vector3 along = points.positions[j] - points.positions[i];
+              *out++ = {j, length(along), signed_concavity(points, static_cast<Index>(i), j)};
+            });
+      });
   return graph;
 }
 
