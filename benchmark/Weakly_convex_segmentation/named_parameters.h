@@ -71,6 +71,7 @@ inline std::map<std::string, Setter> setters()
       {"clearance_factor", setter(&P::clearance_factor)},
       {"outside_tolerance", setter(&P::outside_tolerance)},
       {"rays_for_early_decision", setter(&P::rays_for_early_decision)},
+      {"maximum_rays_per_pair", setter(&P::maximum_rays_per_pair)},
       {"merging", setter(&P::merging)},
       {"diameter", setter(&P::diameter)},
       {"refinement", setter(&P::refinement)},

@@ -320,6 +320,7 @@ BOOST_AUTO_TEST_CASE(extreme_parameters)
     p.clearance_factor = pick({0., 2., 100.});
     p.outside_tolerance = pick({0., 45., 90.});
     p.rays_for_early_decision = count({0, 1, 10});
+    p.maximum_rays_per_pair = count({0, 1, 25});
     p.histogram_bins = count({2, 64});
     p.diameter_cone_angle = pick({1e-3, 60., 179.});
     p.diameter_samples = count({1, 1000});

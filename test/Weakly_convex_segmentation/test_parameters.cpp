@@ -138,6 +138,7 @@ std::vector<Setting> settings()
           {"clearance_factor", "default", "dumbbell", 10.},
           {"outside_tolerance", "default", "dumbbell", 2.},
           {"rays_for_early_decision", "default", "dumbbell", 2.},
+          {"maximum_rays_per_pair", "default", "dumbbell", 12.},
           {"merging", "default", "dumbbell", 0.},
           {"diameter", "default", "dumbbell", 0.},
           {"refinement", "default", "dumbbell", 0.},

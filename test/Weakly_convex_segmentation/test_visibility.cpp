@@ -281,6 +281,7 @@ BOOST_AUTO_TEST_CASE(visibility_of_patches_is_symmetric_and_kept)
   const Scene scene(mesh_points("l_shape"), parameters);
   const Patches patches = extract_patches(scene.points, scene.graph, parameters);
   parameters.rays_for_early_decision = 0;
+  parameters.maximum_rays_per_pair = 0;
   Patch_visibility full(*scene.sight, patches, parameters, false);
   Patch_visibility mirrored(*scene.sight, patches, parameters, false);
   parameters.rays_for_early_decision = 10;

@@ -139,6 +139,9 @@ struct Parameters
   double outside_tolerance = 90.;
   /// A pair of patches is decided when so many first rays agree; 0 casts all rays.
   std::size_t rays_for_early_decision = 10;
+  /// A pair of patches that is not decided early gets at most so many rays; 0: all
+  /// `samples_per_patch` squared.
+  std::size_t maximum_rays_per_pair = 25;
 
   /// @}
   /// \name Rules
@@ -246,6 +249,7 @@ inline Parameters Parameters::paper()
   p.number_of_patches = 100;    // silent; the trial of the method used 100
   p.patch_concavity_tolerance = 0.;
   p.rays_for_early_decision = 0;
+  p.maximum_rays_per_pair = 0;
   p.merging = Merging_rule::PAPER;
   p.diameter = Diameter_rule::OWN_POINTS;
   p.refinement = Refinement_rule::ALPHA_EXPANSION;

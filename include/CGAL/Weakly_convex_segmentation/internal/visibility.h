@@ -68,9 +68,15 @@ public:
   /// tolerance, and no disk occludes it.
   bool sees(const Index i, const Index j) const
   {
+    Disk_tree::Hint hint = Disk_tree::no_hint;
+    return sees(i, j, hint);
+  }
+  /// the same for one of many lines between the same parts, see `Disk_tree::unoccluded()`
+  bool sees(const Index i, const Index j, Disk_tree::Hint& hint) const
+  {
     if (i == j) return true;
     const Vector3 &p = m_points.positions[i], &q = m_points.positions[j];
-    return within(p, q, i, j, m_outside_slope) && m_tree.unoccluded(p, q);
+    return within(p, q, i, j, m_outside_slope) && m_tree.unoccluded(p, q, hint);
   }
 
   /// the same with a tolerance of its own, in degrees
@@ -103,7 +109,8 @@ class Patch_visibility
 public:
   Patch_visibility(const Sight& sight, const Patches& patches, const Parameters& parameters,
                    const bool parallel)
-    : m_sight(sight), m_early(parameters.rays_for_early_decision), m_parallel(parallel)
+    : m_sight(sight), m_early(parameters.rays_for_early_decision),
+      m_most(parameters.maximum_rays_per_pair), m_parallel(parallel)
   {
     for (const auto& members : patches.members)
       m_samples.push_back(spread_sample(members, parameters.samples_per_patch));
@@ -153,12 +160,14 @@ private:
     std::size_t stride = rays * 5 / 8 + 1;
     while (common_divisor(stride, rays) != 1) ++stride;
     std::size_t free = 0, ray = 0;
-    for (std::size_t i = 0; i < rays; ++i, ray = (ray + stride) % rays)
+    Disk_tree::Hint occluder = Disk_tree::no_hint; // it often hides the next points too
+    const std::size_t most = m_most > 0 ? (std::min)(m_most, rays) : rays;
+    for (std::size_t i = 0; i < most; ++i, ray = (ray + stride) % rays)
     {
-      free += m_sight.sees(from[ray % from.size()], to[ray / from.size()]) ? 1 : 0;
+      free += m_sight.sees(from[ray % from.size()], to[ray / from.size()], occluder) ? 1 : 0;
       if (i + 1 == m_early && (free == 0 || free == m_early)) return free == 0 ? 0.f : 1.f;
     }
-    return static_cast<float>(free) / static_cast<float>(rays);
+    return static_cast<float>(free) / static_cast<float>(most);
   }
 
   static std::size_t common_divisor(std::size_t a, std::size_t b)
@@ -168,7 +177,7 @@ private:
   }
 
   const Sight& m_sight;
-  std::size_t m_early;
+  std::size_t m_early, m_most;
   bool m_parallel;
   std::vector<std::vector<Index>> m_samples;
   std::unordered_map<std::uint64_t, float> m_known;
