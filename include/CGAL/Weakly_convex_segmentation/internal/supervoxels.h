@@ -5,12 +5,16 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SUPERVOXELS_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <queue>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -42,13 +46,32 @@ public:
   }
 };
 
+/// A graph with the costs of its edges, in less memory than the neighbor graph.
+struct Cost_graph
+{
+  struct Edge
+  {
+    Index point;
+    float cost;
+  };
+  const std::vector<std::size_t>& first; ///< begin of each point's row in `edges`; size n + 1
+  std::vector<Edge> edges;
+
+  Cost_graph(const Neighbor_graph& graph, const Edge_cost& cost) : first(graph.first)
+  {
+    edges.reserve(graph.neighbors.size());
+    for (const Neighbor& edge : graph.neighbors) edges.push_back({edge.point, cost(edge)});
+  }
+  std::size_t size() const { return first.size() - 1; }
+};
+
 /// Dijkstra's search from seeds that are added one after the other; every point belongs to the seed
 /// that is nearest along the graph.
 class Voronoi_cells
 {
 public:
-  Voronoi_cells(const Neighbor_graph& graph, const Edge_cost& cost)
-    : m_graph(graph), m_cost(cost), m_distance(graph.size(), infinity()), m_cell(graph.size(), 0)
+  explicit Voronoi_cells(const Cost_graph& graph)
+    : m_graph(graph), m_distance(graph.size(), infinity()), m_cell(graph.size(), 0)
   {}
 
   static constexpr float infinity() { return std::numeric_limits<float>::infinity(); }
@@ -59,7 +82,7 @@ public:
   {
     m_distance[point] = 0.f;
     m_cell[point] = cell;
-    m_front.push({0.f, point});
+    m_front.push(entry(0.f, point));
   }
 
   /// lets the seeds added so far take all points that are nearer to them.
@@ -67,58 +90,82 @@ public:
   {
     while (!m_front.empty())
     {
-      const auto [d, i] = m_front.top();
+      const std::uint64_t top = m_front.top();
+      const Index i = static_cast<Index>(top);
       m_front.pop();
-      if (d > m_distance[i]) continue;
-      for (const Neighbor& edge : m_graph[i])
+      const float d = m_distance[i];
+      if (top != entry(d, i)) continue; // a shorter way was found since
+      for (std::size_t e = m_graph.first[i]; e < m_graph.first[i + 1]; ++e)
       {
-        const float through = d + m_cost(edge);
-        if (through >= m_distance[edge.point]) continue;
-        m_distance[edge.point] = through;
-        m_cell[edge.point] = m_cell[i];
-        m_front.push({through, edge.point});
+        const auto [j, cost] = m_graph.edges[e];
+        const float through = d + cost;
+        if (through >= m_distance[j]) continue;
+        m_distance[j] = through;
+        m_cell[j] = m_cell[i];
+        m_front.push(entry(through, j));
       }
     }
   }
 
+  /// distance and point as one integer, in the same order: the bits of floats from 0 on ascend
+  static std::uint64_t entry(const float distance, const Index point)
+  {
+    std::uint32_t bits;
+    std::memcpy(&bits, &distance, sizeof(bits));
+    return static_cast<std::uint64_t>(bits) << 32 | point;
+  }
+
 private:
-  using Entry = std::pair<float, Index>;
-  const Neighbor_graph& m_graph;
-  const Edge_cost m_cost;
+  const Cost_graph& m_graph;
   std::vector<float> m_distance;
   std::vector<Index> m_cell;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_front;
+  std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<std::uint64_t>>
+      m_front;
 };
 
-/// returns seeds each of which is farthest from those before, beginning next to the centroid's
-/// farthest point; every connected piece of the graph gets at least one.
-inline std::vector<Index> farthest_seeds(const Oriented_points& points, const Neighbor_graph& graph,
-                                         const Edge_cost& cost, const std::size_t count)
+/// returns the first point of each cell of a coarse voxel grid, about `count`.
+inline std::vector<Index> voxel_seeds(const Oriented_points& points, const std::size_t count)
 {
-  Voronoi_cells cells(graph, cost);
-  Index seed = 0;
-  for (Index i = 1; i < points.size(); ++i)
-    if (squared_length(points.positions[i]) > squared_length(points.positions[seed])) seed = i;
-
+  const float side = voxel_side(points, count);
+  std::unordered_set<std::uint64_t> taken;
   std::vector<Index> seeds;
+  for (Index i = 0; i < points.size(); ++i)
+    if (taken.insert(voxel_key(points.positions[i], side)).second) seeds.push_back(i);
+  return seeds;
+}
+
+/// adds seeds to `cells`, each farthest from those before, until there are `count` and every connected
+/// piece of the graph has one. Returns the number of seeds.
+///
+/// The first quarter comes from a voxel grid: each of these would have to search most of the shape.
+inline std::size_t spread_seeds(const Oriented_points& points, const std::size_t count,
+                                Voronoi_cells& cells)
+{
+  std::size_t seeds = 0;
+  for (const Index i : voxel_seeds(points, (std::max)(count / 4, std::size_t(1))))
+    if (seeds < count) cells.add_seed(i, static_cast<Index>(seeds++));
+  cells.grow();
+
   // distances only ever fall, so an entry that is still right when it comes up is the largest
-  std::priority_queue<std::pair<float, Index>> farthest;
-  for (Index i = 0; i < points.size(); ++i) farthest.push({Voronoi_cells::infinity(), i});
-  while (true)
+  std::vector<std::uint64_t> entries;
+  for (Index i = 0; i < points.size(); ++i)
+    entries.push_back(Voronoi_cells::entry(cells.distance(i), i));
+  std::priority_queue<std::uint64_t> farthest(std::less<std::uint64_t>(), std::move(entries));
+  for (; !farthest.empty(); cells.grow())
   {
-    cells.add_seed(seed, static_cast<Index>(seeds.size()));
-    seeds.push_back(seed);
-    cells.grow();
-    while (!farthest.empty() && farthest.top().first != cells.distance(farthest.top().second))
+    std::uint64_t top = farthest.top();
+    while (top !=
+           Voronoi_cells::entry(cells.distance(static_cast<Index>(top)), static_cast<Index>(top)))
     {
-      const Index i = farthest.top().second;
       farthest.pop();
-      if (cells.distance(i) > 0.f) farthest.push({cells.distance(i), i});
+      farthest.push(
+          Voronoi_cells::entry(cells.distance(static_cast<Index>(top)), static_cast<Index>(top)));
+      top = farthest.top();
     }
-    if (farthest.empty()) break;
-    const bool unreached = farthest.top().first == Voronoi_cells::infinity();
-    if (seeds.size() >= count && !unreached) break;
-    seed = farthest.top().second;
+    const Index seed = static_cast<Index>(top);
+    const bool is_unreached = cells.distance(seed) == Voronoi_cells::infinity();
+    if (cells.distance(seed) == 0.f || (seeds >= count && !is_unreached)) break;
+    cells.add_seed(seed, static_cast<Index>(seeds++));
   }
   return seeds;
 }
@@ -155,18 +202,19 @@ inline std::vector<Index> central_points(const Oriented_points& points,
 inline Supervoxels build_supervoxels(const Oriented_points& points, const Neighbor_graph& graph,
                                      const std::size_t count, const double concavity_tolerance)
 {
-  const Edge_cost cost(concavity_tolerance);
-  const auto cells_of = [&](const std::vector<Index>& seeds)
-  {
-    Voronoi_cells cells(graph, cost);
-    for (std::size_t i = 0; i < seeds.size(); ++i) cells.add_seed(seeds[i], static_cast<Index>(i));
-    cells.grow();
-    return cells.cells();
-  };
-  const std::vector<Index> seeds = farthest_seeds(points, graph, cost, count);
+  const Cost_graph costs(graph, Edge_cost(concavity_tolerance));
   Supervoxels result;
-  result.count = seeds.size();
-  result.of_point = cells_of(central_points(points, cells_of(seeds), result.count));
+  std::vector<Index> centers;
+  {
+    Voronoi_cells cells(costs);
+    result.count = spread_seeds(points, count, cells);
+    centers = central_points(points, cells.cells(), result.count);
+  }
+  Voronoi_cells cells(costs);
+  for (std::size_t i = 0; i < centers.size(); ++i)
+    cells.add_seed(centers[i], static_cast<Index>(i));
+  cells.grow();
+  result.of_point = cells.cells();
   return result;
 }
 
