@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORIENTED_POINTS_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
+#include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -96,7 +97,8 @@ inline Bounding_cube bounding_cube(const std::vector<std::array<double, 3>>& pos
 
 /// returns the input indices along a Morton curve. Neighbors in space become neighbors in memory,
 /// and nothing that follows depends on the order of the input (but for exact duplicates).
-inline std::vector<Index> spatial_order(const Raw_points& raw, const Bounding_cube& cube)
+inline std::vector<Index> spatial_order(const Raw_points& raw, const Bounding_cube& cube,
+                                        const bool parallel)
 {
   struct Keyed
   {
@@ -105,25 +107,28 @@ inline std::vector<Index> spatial_order(const Raw_points& raw, const Bounding_cu
   };
   std::vector<Keyed> keyed(raw.positions.size());
   const double side = cube.side > 0. ? cube.side : 1.; // its reciprocal may overflow
-  for (std::size_t i = 0; i < keyed.size(); ++i)
-  {
-    std::array<std::uint64_t, 3> cell;
-    for (int c = 0; c < 3; ++c)
-      cell[c] =
-          static_cast<std::uint64_t>((raw.positions[i][c] - cube.corner[c]) / side * 2097151.);
-    keyed[i].key = spread_bits(cell[0]) | spread_bits(cell[1]) << 1 | spread_bits(cell[2]) << 2;
-    keyed[i].index = static_cast<Index>(i);
-  }
-  std::sort(keyed.begin(), keyed.end(),
-            [&raw](const Keyed& a, const Keyed& b)
-            {
-              if (a.key != b.key) return a.key < b.key;
-              if (raw.positions[a.index] != raw.positions[b.index])
-                return raw.positions[a.index] < raw.positions[b.index];
-              if (raw.normals[a.index] != raw.normals[b.index])
-                return raw.normals[a.index] < raw.normals[b.index];
-              return a.index < b.index;
-            });
+  parallel_for(
+      keyed.size(), parallel,
+      [&](const std::size_t i)
+      {
+        std::array<std::uint64_t, 3> cell;
+        for (int c = 0; c < 3; ++c)
+          cell[c] =
+              static_cast<std::uint64_t>((raw.positions[i][c] - cube.corner[c]) / side * 2097151.);
+        keyed[i].key = spread_bits(cell[0]) | spread_bits(cell[1]) << 1 | spread_bits(cell[2]) << 2;
+        keyed[i].index = static_cast<Index>(i);
+      },
+      4096);
+  parallel_sort(keyed.begin(), keyed.end(), parallel,
+                [&raw](const Keyed& a, const Keyed& b)
+                {
+                  if (a.key != b.key) return a.key < b.key;
+                  if (raw.positions[a.index] != raw.positions[b.index])
+                    return raw.positions[a.index] < raw.positions[b.index];
+                  if (raw.normals[a.index] != raw.normals[b.index])
+                    return raw.normals[a.index] < raw.normals[b.index];
+                  return a.index < b.index;
+                });
   std::vector<Index> order(keyed.size());
   for (std::size_t i = 0; i < keyed.size(); ++i) order[i] = keyed[i].index;
   return order;
@@ -151,7 +156,7 @@ renamed_links(const std::vector<std::array<Index, 2>>& links, const std::vector<
 /// rotation. Complexity: O(n log n) for the spatial sort.
 /// \throws std::invalid_argument if there are no points, too many for 32 bits, or coordinates that
 /// are not finite.
-inline Oriented_points orient_points(const Raw_points& raw)
+inline Oriented_points orient_points(const Raw_points& raw, const bool parallel = false)
 {
   const std::size_t n = raw.positions.size();
   if (n == 0) throw std::invalid_argument("there are no points to segment");
@@ -162,7 +167,7 @@ inline Oriented_points orient_points(const Raw_points& raw)
 
   const Bounding_cube cube = bounding_cube(raw.positions);
   Oriented_points points;
-  const std::vector<Index> order = spatial_order(raw, cube);
+  const std::vector<Index> order = spatial_order(raw, cube, parallel);
 
   std::array<double, 3> centroid = {0., 0., 0.}; // relative to the corner, against cancellation
   for (const Index i : order)
@@ -177,18 +182,21 @@ inline Oriented_points orient_points(const Raw_points& raw)
 
   points.positions.resize(n);
   points.normals.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const auto& p = raw.positions[order[i]];
-    const auto& v = raw.normals[order[i]];
-    const auto coordinate = [&](const int c)
-    { return static_cast<float>((p[c] - cube.corner[c] - centroid[c]) / points.extent); };
-    points.positions[i] = {coordinate(0), coordinate(1), coordinate(2)};
-    const double l = std::hypot(v[0], v[1], v[2]);
-    if (l > 0.)
-      points.normals[i] = {static_cast<float>(v[0] / l), static_cast<float>(v[1] / l),
-                           static_cast<float>(v[2] / l)};
-  }
+  parallel_for(
+      n, parallel,
+      [&](const std::size_t i)
+      {
+        const auto& p = raw.positions[order[i]];
+        const auto& v = raw.normals[order[i]];
+        const auto coordinate = [&](const int c)
+        { return static_cast<float>((p[c] - cube.corner[c] - centroid[c]) / points.extent); };
+        points.positions[i] = {coordinate(0), coordinate(1), coordinate(2)};
+        const double l = std::hypot(v[0], v[1], v[2]);
+        if (l > 0.)
+          points.normals[i] = {static_cast<float>(v[0] / l), static_cast<float>(v[1] / l),
+                               static_cast<float>(v[2] / l)};
+      },
+      4096);
   if (!raw.links.empty())
   {
     std::vector<Index> rank(n);

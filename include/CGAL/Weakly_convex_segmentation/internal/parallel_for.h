@@ -4,11 +4,13 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PARALLEL_FOR_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PARALLEL_FOR_H
 
+#include <algorithm>
 #include <cstddef>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #endif
 
 namespace CGAL {
@@ -35,6 +37,22 @@ void parallel_for(const std::size_t n, const bool parallel, const Function& f,
   static_cast<void>(parallel);
 #endif
   for (std::size_t i = 0; i < n; ++i) f(i);
+}
+
+/// sorts by a strict total order, so that the result does not depend on the number of threads.
+template <typename Iterator, typename Less>
+void parallel_sort(const Iterator first, const Iterator last, const bool parallel, const Less& less)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if (parallel)
+  {
+    tbb::parallel_sort(first, last, less);
+    return;
+  }
+#else
+  static_cast<void>(parallel);
+#endif
+  std::sort(first, last, less);
 }
 
 } // namespace internal

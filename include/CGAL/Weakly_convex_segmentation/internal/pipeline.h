@@ -19,6 +19,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -204,10 +205,14 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
       parameters.band_width == 0.)
     return result;
 
-  const float margin =
-      2.f * *std::max_element(shape.graph.spacing.begin(), shape.graph.spacing.end());
+  // the borders of the representatives are right up to their spacing: a narrower band is enough
+  const float spacing =
+      std::accumulate(shape.graph.spacing.begin(), shape.graph.spacing.end(), 0.f) /
+      static_cast<float>(shape.graph.size());
+  Parameters fine = parameters;
+  fine.band_width = (std::min)(parameters.band_width, 1.5 * static_cast<double>(spacing));
   const std::vector<Band_point> band =
-      find_band(shape.graph, labels, static_cast<float>(parameters.band_width) + margin);
+      find_band(shape.graph, labels, static_cast<float>(fine.band_width) + spacing);
   std::vector<Index> near_border;
   for (Index i = 0; i < result.size(); ++i)
     if (band[shape.representative(i)].other >= 0) near_border.push_back(i);
@@ -219,7 +224,7 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
       build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel);
   std::vector<int> band_labels;
   for (const Index i : near_border) band_labels.push_back(result[i]);
-  move_borders(graph, parameters, band_labels);
+  move_borders(graph, fine, band_labels);
   for (std::size_t j = 0; j < near_border.size(); ++j) result[near_border[j]] = band_labels[j];
   return result;
 }

@@ -28,15 +28,17 @@ struct Representatives
   std::vector<Index> of_point; ///< representative of each point; empty if they are the same
 };
 
-/// returns the number of occupied cells of the octree over `points`, a level from the root.
-inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points)
+/// returns the number of occupied cells of the octree over every `step`-th of the points, a level from
+/// the root.
+inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points,
+                                                  const std::size_t step)
 {
   const auto cell = [](const float c)
   { return spread_bits(static_cast<std::uint64_t>((std::max)(0.f, c + 0.5f) * 2097151.f)); };
-  std::vector<std::uint64_t> keys(points.size());
+  std::vector<std::uint64_t> keys((points.size() + step - 1) / step);
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
-    const Vector3& p = points.positions[i];
+    const Vector3& p = points.positions[i * step];
     keys[i] = cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
   }
   // the points are in the order of another cube, which would count a cell at each return to it
@@ -58,7 +60,9 @@ inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points)
 /// returns the side of a voxel grid that has about `count` occupied voxels.
 inline float voxel_side(const Oriented_points& points, const std::size_t count)
 {
-  const auto cells = occupied_cells(points);
+  // ten points in a voxel tell that it is occupied as well as a hundred do
+  const auto cells = occupied_cells(
+      points, (std::max)(points.size() / (10 * (std::max)(count, std::size_t(1))), std::size_t(1)));
   int level = 0;
   while (level < 20 && cells[level + 1] <= count) ++level;
   const double low = static_cast<double>(cells[level]);
@@ -66,6 +70,14 @@ inline float voxel_side(const Oriented_points& points, const std::size_t count)
   const double share = std::log(static_cast<double>(count) / low) / std::log(high / low);
   // not finer than 20 bits a coordinate, which the voxels' keys have room for
   return static_cast<float>(std::pow(2., -(std::min)(20., level + (std::max)(0., share))));
+}
+
+/// returns the voxel of a position.
+inline std::uint64_t voxel_key(const Vector3& p, const float side)
+{
+  const auto cell = [side](const float c)
+  { return spread_bits(static_cast<std::uint64_t>((std::max)(0.f, c + 0.5f) / side)); };
+  return cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
 }
 
 /// thins the points to about `count` voxels. Opposite sides of a thin sheet in one voxel stay apart:
@@ -90,11 +102,8 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
   result.of_point.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const auto cell = [side](const float c)
-    { return spread_bits(static_cast<std::uint64_t>((std::max)(0.f, c + 0.5f) / side)); };
-    const Vector3& p = points.positions[i];
     const Vector3& n = points.normals[i];
-    const std::uint64_t key = cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
+    const std::uint64_t key = voxel_key(points.positions[i], side);
     const auto slot = first_in_voxel.emplace(key, none).first;
     Index g = slot->second;
     const bool has_normal = squared_length(n) > 0.f; // points without one join any group
@@ -105,7 +114,7 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
       groups.push_back({{}, {}, n, 0, slot->second});
       slot->second = g;
     }
-    groups[g].position = groups[g].position + p;
+    groups[g].position = groups[g].position + points.positions[i];
     groups[g].normal = groups[g].normal + n;
     ++groups[g].size;
     result.of_point[i] = g;

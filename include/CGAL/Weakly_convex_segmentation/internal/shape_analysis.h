@@ -77,8 +77,8 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
                 [&]
                 {
                   Raw_points sampled;
-                  shape->input =
-                      orient_points(sample_faces(raw, parameters, sampled) ? sampled : raw);
+                  shape->input = orient_points(
+                      sample_faces(raw, parameters, sampled) ? sampled : raw, control.parallel);
                   shape->representatives =
                       choose_representatives(shape->input, parameters.number_of_representatives);
                   if (parameters.flip_inward_normals && is_inside_out(shape->points()))
