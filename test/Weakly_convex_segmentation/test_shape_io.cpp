@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
       {"zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "corner"},
       {"range.ply", ply_header("float", 3) + ply_faces + "end_header\n" + triangle + "3 0 1 -1\n",
        "face 0"},
-      {"none.obj", "v 0 0 0\n", "OBJ"},
+      {"none.obj", "vn 0 0 0\n", "OBJ"},
       {"two.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "3 corners"},
       {"none.off", "OFF\n0 0 0\n", "no points"},
       {"none.xyz", "# only this\n", "no points"},
@@ -235,8 +235,8 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
       {"many.ply", ply_header("float", 999999) + "end_header\n", "number of elements"},
       {"face.off", "OFF\n3 1 0\n" + triangle + "999999999 0 1 2\n", "corners"},
       {"list.ply", list_too_long, ""},
-      {"nan.xyz", "0 0 1\n0 0 nan\n", "XYZ"},
-      {"first.xyz", "0 0 nan\n0 0 0\n", "first line"},
+      {"nan.xyz", "0 0 1\n0 0 nan\n", "point 1"},
+      {"first.xyz", "0 0 nan\n0 0 0\n", "point 0"},
       {"count.xyz", "3\n0 0 0\n", "first line"},
       {"nan.stl", binary_stl("x", std::nanf("")), "finite"},
       {"nan.ply", ply_header("float", 1) + "end_header\n0 nan 0\n", "point 0"},
@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
                                 "0\n1\n",
        "vertex_indices"},
       {"noend.ply", ply_header("float", 1), "no end"},
-      {"four.xyz", "0 0 0 1\n", "XYZ"}};
+      {"two.xyz", "0 0\n0 1\n", "XYZ"}};
   const Scratch_folder folder;
   for (const auto& file : files)
   {
@@ -270,8 +270,8 @@ BOOST_AUTO_TEST_CASE(garbage_is_refused)
 {
   const Scratch_folder folder;
   std::mt19937 random(1);
-  for (const std::string extension : {"off", "ply", "obj", "stl", "xyz", "pwn"})
-    for (const std::string start : {"", "ply\n", "OFF\n3 1 0\n", "solid ", "v 0 0 0\n"})
+  for (const std::string extension : {"off", "ply", "obj", "stl", "xyz", "pwn", "pcd"})
+    for (const std::string start : {"", "ply\n", "FIELDS x y z\nPOINTS 9\nDATA ascii\n", "OFF\n3 1 0\n", "solid ", "v 0 0 0\n"})
     {
       std::string bytes = start;
       for (int i = 0; i < 3000; ++i) bytes += static_cast<char>(random() % 256);

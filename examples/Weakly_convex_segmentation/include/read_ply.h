@@ -6,6 +6,7 @@
 
 #include "ply_cursor.h"
 #include "shape.h"
+#include "text_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -51,7 +52,7 @@ inline Ply_format ply_format(const std::string& name)
   if (name == "ascii") return Ply_format::ASCII;
   if (name == "binary_little_endian") return Ply_format::LITTLE_ENDIAN_BINARY;
   if (name == "binary_big_endian") return Ply_format::BIG_ENDIAN_BINARY;
-  throw std::runtime_error("its header has the unknown format '" + name +
+  throw std::runtime_error("its header has the unknown format '" + shown(name) +
                            "'; use ascii, binary_little_endian or binary_big_endian");
 }
 
@@ -79,15 +80,15 @@ inline bool take_ply_header_line(const std::string& line, const std::size_t file
   {
     long long size = -1;
     if (!(words >> name >> size) || size < 0 || static_cast<std::size_t>(size) > file_size)
-      throw std::runtime_error("its header has a wrong number of elements in '" +
-                               line.substr(0, 40) + "'; copy or export it again");
+      throw std::runtime_error("its header has a wrong number of elements in '" + shown(line, 40) +
+                               "'; copy or export it again");
     header.elements.push_back({name, static_cast<std::size_t>(size), {}});
   }
   else if (keyword == "property" && !header.elements.empty())
     header.elements.back().properties.push_back(ply_property(words));
   else if (!(keyword.empty() || keyword == "ply" || keyword == "comment" || keyword == "obj_info" ||
              keyword == "end_header"))
-    throw std::runtime_error("its header has the unknown line '" + line.substr(0, 40) +
+    throw std::runtime_error("its header has the unknown line '" + shown(line, 40) +
                              "'; export the shape again");
   return keyword != "end_header";
 }
@@ -193,7 +194,7 @@ inline void read_ply(const std::string& bytes, Shape& shape)
   for (const Ply_element& element : header.elements)
   {
     if (!names.insert(element.name).second)
-      throw std::runtime_error("it has the element '" + element.name +
+      throw std::runtime_error("it has the element '" + shown(element.name) +
                                "' twice; export the shape again");
     std::vector<std::vector<std::size_t>> polygons;
     std::vector<Property> columns = read_ply_columns(cursor, element, polygons);

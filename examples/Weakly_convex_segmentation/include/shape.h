@@ -6,6 +6,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,19 @@ struct Shape
   std::size_t number_of_elements() const { return is_mesh() ? polygons.size() : points.size(); }
   const char* element_name() const { return is_mesh() ? "faces" : "points"; }
 };
+
+// Depth cameras keep a place for each pixel: where nothing was measured, all coordinates are NaN.
+enum class Gaps
+{
+  REFUSED,
+  ALLOWED
+};
+
+template <typename Triple>
+bool is_gap(const Triple& t)
+{
+  return std::isnan(t.x()) && std::isnan(t.y()) && std::isnan(t.z());
+}
 
 } // namespace Shape_io
 
