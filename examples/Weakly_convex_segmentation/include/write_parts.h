@@ -47,9 +47,7 @@ class Ply_writer
 {
 public:
   Ply_writer(std::ostream& stream, const Encoding encoding) : m_stream(stream), m_encoding(encoding)
-  {
-    m_stream.imbue(std::locale::classic());
-  }
+  {}
 
   template <typename Number>
   void write(const Number number)
@@ -247,6 +245,8 @@ inline void write_parts(std::ostream& out, const Shape& shape, const Parts& part
 {
   const std::vector<const Property*> of_points = internal::kept_properties(shape.point_properties);
   const std::vector<const Property*> of_faces = internal::kept_properties(shape.face_properties);
+  // before anything is written: a file that can't be flushed for another locale is of no use after
+  out.imbue(std::locale::classic());
   out << "ply\nformat " << (encoding == Encoding::ASCII ? "ascii" : "binary_little_endian")
       << " 1.0\ncomment parts of a weakly convex segmentation\nelement vertex "
       << shape.points.size() << '\n';
