@@ -218,7 +218,12 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
       {"empty.off", "", "empty"},
       {"a.abc", "x", "extension"},
       {"a", "x", "extension"},
-      {"range.off", "OFF\n3 1 0\n" + triangle + "3 0 1 3\n", "OFF"},
+      {"range.off", "OFF\n3 1 0\n" + triangle + "3 0 1 3\n", "face 0"},
+      {"less.off", "OFF\n3 1 0\n" + triangle + "-3 0 1 2\n", "'-3'"},
+      {"half.off", "OFF\n3 1 0\n" + triangle + "2.5 0 1 2\n", "'2.5'"},
+      {"few.off", "OFF\n3 1 0\n" + triangle + "3 0 1\n", "line 6"},
+      {"word.off", "OFF\n3 1 0\n" + triangle + "3 0 1 x\n", "'x'"},
+      {"control.off", "OFF\n3 1 0\n" + triangle + "3 0 1 \x1b[2J\n", "'?[2J'"},
       {"range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "corner"},
       {"zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "corner"},
       {"range.ply", ply_header("float", 3) + ply_faces + "end_header\n" + triangle + "3 0 1 -1\n",
@@ -233,7 +238,7 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
       {"cut.ply", cut, "ends before"},
       {"many.off", "OFF\n999999999 1 0\n" + triangle, "999999999"},
       {"many.ply", ply_header("float", 999999) + "end_header\n", "number of elements"},
-      {"face.off", "OFF\n3 1 0\n" + triangle + "999999999 0 1 2\n", "corners"},
+      {"face.off", "OFF\n3 1 0\n" + triangle + "999999999 0 1 2\n", "999999999"},
       {"list.ply", list_too_long, ""},
       {"nan.xyz", "0 0 1\n0 0 nan\n", "point 1"},
       {"first.xyz", "0 0 nan\n0 0 0\n", "point 0"},
@@ -271,7 +276,8 @@ BOOST_AUTO_TEST_CASE(garbage_is_refused)
   const Scratch_folder folder;
   std::mt19937 random(1);
   for (const std::string extension : {"off", "ply", "obj", "stl", "xyz", "pwn", "pcd"})
-    for (const std::string start : {"", "ply\n", "FIELDS x y z\nPOINTS 9\nDATA ascii\n", "OFF\n3 1 0\n", "solid ", "v 0 0 0\n"})
+    for (const std::string start : {"", "ply\n", "FIELDS x y z\nPOINTS 9\nDATA ascii\n",
+                                    "OFF\n3 1 0\n", "solid ", "v 0 0 0\n"})
     {
       std::string bytes = start;
       for (int i = 0; i < 3000; ++i) bytes += static_cast<char>(random() % 256);

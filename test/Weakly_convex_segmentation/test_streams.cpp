@@ -21,6 +21,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <sys/types.h>
@@ -205,17 +206,17 @@ BOOST_AUTO_TEST_CASE(an_interruption_leaves_nothing)
   const Scratch_folder folder;
   make_shape(folder, {"--cloud", "--points", "200000", "figure"});
   const std::size_t files = folder.number_of_files();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    for (const int milliseconds : {5, 200, 500})
-    {
-      const int status = interrupted_status(
-          folder, signal, milliseconds,
-          {"figure.ply", "-o", "a.ply", "--labels", "a.seg", "--split", "parts/of/it", "--quiet"});
-      // before the first output is begun the signal ends the program at once
-      BOOST_TEST(((WIFEXITED(status) && WEXITSTATUS(status) == 1) ||
-                  (WIFSIGNALED(status) && WTERMSIG(status) == signal)));
-      BOOST_TEST(folder.number_of_files() == files);
-    }
+  for (const auto& [signal, milliseconds] : std::vector<std::pair<int, int>>{
+           {SIGINT, 5}, {SIGINT, 200}, {SIGINT, 600}, {SIGTERM, 300}, {SIGHUP, 300}})
+  {
+    const int status = interrupted_status(
+        folder, signal, milliseconds,
+        {"figure.ply", "-o", "a.ply", "--labels", "a.seg", "--split", "parts/of/it", "--quiet"});
+    // before the first output is begun the signal ends the program at once
+    BOOST_TEST(((WIFEXITED(status) && WEXITSTATUS(status) == 1) ||
+                (WIFSIGNALED(status) && WTERMSIG(status) == signal)));
+    BOOST_TEST(folder.number_of_files() == files);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_reader_that_goes_away_leaves_nothing)
