@@ -5,6 +5,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "scratch_folder.h"
+#include "separate_parts.h"
 #include "shape_io.h"
 
 #include <algorithm>
@@ -291,7 +292,9 @@ BOOST_AUTO_TEST_CASE(nothing_is_lost_by_writing)
   mesh.points = square;
   mesh.points.emplace_back(0.1, 1. / 3., 1e-9); // no floats, and without a face
   mesh.polygons = {{0, 1, 3, 2}, {0, 1, 2}, {1, 3, 2}};
-  mesh.face_properties = {{"kind", "uchar", {1, 2, 255}}, {"label", "float", {9, 9, 9}}};
+  mesh.face_properties = {{"kind", "uchar", {1, 2, 255}},
+                          {"label", "float", {9, 9, 9}},
+                          {"texcoord", "float", {0.5, 0.25, 1}, "uchar", {0, 2, 2, 3}}};
   cloud.points = square;
   for (const Point& p : square) cloud.normals.emplace_back(p.y() / 3., 0.25, p.x());
   cloud.point_properties = {{"heat", "short", {-300, 1, 2, 3}}, {"t", "double", {0.1, 1, 2, 3}}};
@@ -321,6 +324,10 @@ BOOST_AUTO_TEST_CASE(nothing_is_lost_by_writing)
       if (shape.is_mesh())
       {
         BOOST_TEST(property(of_elements, "kind").values == shape.face_properties[0].values);
+        BOOST_TEST(property(of_elements, "texcoord").values == shape.face_properties[2].values);
+        BOOST_TEST(property(of_elements, "texcoord").first == shape.face_properties[2].first);
+        const Shape part = Shape_io::shape_of_elements(shape, {0, 2});
+        BOOST_TEST(part.face_properties[2].first == (std::vector<std::size_t>{0, 2, 3}));
         // the majority, the first of equals, and none
         const std::vector<double> expected = {1, 1, 1, 1, -1};
         BOOST_TEST(property(read.point_properties, "label").values == expected);

@@ -116,13 +116,31 @@ inline bool is_polygon_list(const Ply_property& property)
   return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-// Reads an element into columns, one a property that is not a list, and its polygons, if any.
+inline std::vector<std::size_t> read_ply_polygon(Ply_cursor& cursor, const Ply_type type,
+                                                 const std::size_t size)
+{
+  std::vector<std::size_t> polygon(size);
+  for (std::size_t& corner : polygon)
+  {
+    const double number = cursor.number(type);
+    // An index that can't be one becomes one that is out of range, which is refused later.
+    corner = number >= 0. && number < 1e15 ? static_cast<std::size_t>(number) : std::size_t(-1);
+  }
+  return polygon;
+}
+
+// Reads an element into columns, one a property, and its polygons, if any.
 inline std::vector<Property> read_ply_columns(Ply_cursor& cursor, const Ply_element& element,
                                               std::vector<std::vector<std::size_t>>& polygons)
 {
   std::vector<Property> columns;
   for (const Ply_property& property : element.properties)
+  {
     columns.push_back({property.name, ply_type_name(property.type), {}});
+    if (!property.is_list) continue;
+    columns.back().list_size_type = ply_type_name(property.size_type);
+    columns.back().first = {0};
+  }
   if (columns.empty()) return columns;
 
   for (std::size_t i = 0; i < element.size; ++i)
@@ -134,19 +152,20 @@ inline std::vector<Property> read_ply_columns(Ply_cursor& cursor, const Ply_elem
         columns[j].values.push_back(cursor.number(property.type));
         continue;
       }
-      std::vector<std::size_t> list(cursor.list_size(property.size_type));
-      for (std::size_t& entry : list)
+      const std::size_t size = cursor.list_size(property.size_type);
+      if (is_polygon_list(property))
+        polygons.push_back(read_ply_polygon(cursor, property.type, size));
+      else
       {
-        const double number = cursor.number(property.type);
-        // An index that can't be one becomes one that is out of range, which is refused later.
-        entry = number >= 0. && number < 1e15 ? static_cast<std::size_t>(number) : std::size_t(-1);
+        for (std::size_t k = 0; k < size; ++k)
+          columns[j].values.push_back(cursor.number(property.type));
+        columns[j].first.push_back(columns[j].values.size());
       }
-      if (is_polygon_list(property)) polygons.push_back(std::move(list));
     }
 
   std::vector<Property> result;
   for (std::size_t j = 0; j < columns.size(); ++j)
-    if (!element.properties[j].is_list) result.push_back(std::move(columns[j]));
+    if (!is_polygon_list(element.properties[j])) result.push_back(std::move(columns[j]));
   return result;
 }
 
@@ -158,7 +177,7 @@ inline bool take_columns(std::vector<Property>& columns, const std::array<const 
   for (std::size_t i = 0; i < 3; ++i)
   {
     found[i] = std::find_if(columns.begin(), columns.end(),
-                            [&](const Property& p) { return p.name == names[i]; });
+                            [&](const Property& p) { return p.name == names[i] && !p.is_list(); });
     if (found[i] == columns.end()) return false;
   }
   for (std::size_t i = 0; i < 3; ++i)

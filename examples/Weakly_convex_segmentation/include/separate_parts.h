@@ -34,8 +34,16 @@ inline std::vector<Property> chosen_values(const std::vector<Property>& properti
   std::vector<Property> result;
   for (const Property& property : properties)
   {
-    result.push_back({property.name, property.type, {}});
-    for (const std::size_t i : chosen) result.back().values.push_back(property.values[i]);
+    result.push_back({property.name, property.type, {}, property.list_size_type});
+    Property& own = result.back();
+    if (property.is_list()) own.first = {0};
+    for (const std::size_t i : chosen)
+    {
+      const std::size_t first = property.is_list() ? property.first[i] : i;
+      const std::size_t last = property.is_list() ? property.first[i + 1] : i + 1;
+      for (std::size_t k = first; k < last; ++k) own.values.push_back(property.values[k]);
+      if (property.is_list()) own.first.push_back(own.values.size());
+    }
   }
   return result;
 }

@@ -34,6 +34,12 @@ struct Property
   std::string name;
   std::string type; // as in the header of a PLY file: "uchar", "float", ...
   std::vector<double> values;
+  // Only of lists, such as texture coordinates: the type of their sizes, and where the values of each
+  // element begin, with the end of the last.
+  std::string list_size_type = {};
+  std::vector<std::size_t> first = {};
+
+  bool is_list() const { return !list_size_type.empty(); }
 };
 
 // A mesh (a soup of polygons) or, when there are no polygons, a cloud of points.

@@ -146,13 +146,24 @@ inline void write_kept(Ply_writer& writer, const std::vector<const Property*>& p
                        const std::size_t i)
 {
   for (const Property* const property : properties)
-    writer.write(property->values[i], ply_type(property->type));
+  {
+    const Ply_type type = ply_type(property->type);
+    if (!property->is_list())
+    {
+      writer.write(property->values[i], type);
+      continue;
+    }
+    const std::size_t first = property->first[i], last = property->first[i + 1];
+    writer.write(static_cast<double>(last - first), ply_type(property->list_size_type));
+    for (std::size_t k = first; k < last; ++k) writer.write(property->values[k], type);
+  }
 }
 
 inline void declare_part_properties(std::ostream& out, const std::vector<const Property*>& kept)
 {
   for (const Property* const property : kept)
-    out << "property " << property->type << ' ' << property->name << '\n';
+    out << "property " << (property->is_list() ? "list " + property->list_size_type + ' ' : "")
+        << property->type << ' ' << property->name << '\n';
   out << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
          "property int label\nproperty float quality\n";
 }

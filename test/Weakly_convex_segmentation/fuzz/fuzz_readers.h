@@ -132,7 +132,7 @@ inline std::vector<std::string> seeds()
   const std::string ply =
       "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "property uchar q\nelement face 1\nproperty list uchar int vertex_indices\n"
-      "property short s\nend_header\n";
+      "property short s\nproperty list uchar uchar t\nend_header\n";
   std::string binary = "ply\nformat binary_little_endian 1.0\n" + ply;
   for (int i = 0; i < 3; ++i)
   {
@@ -153,9 +153,9 @@ inline std::vector<std::string> seeds()
       of_kind(0, "# c\nCOFF 3 1 0\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2 9 9 9\n"),
       of_kind(0, "NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0 0 1 0\n"),
       of_kind(1, "ply\nformat ascii 1.0\ncomment c\n" + ply +
-                     "0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2 -7\n"),
-      of_kind(1, binary + corners + std::string("\7\0", 2)),
-      of_kind(1, big + std::string("\7\0", 2)),
+                     "0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2 -7 2 8 9\n"),
+      of_kind(1, binary + corners + std::string("\7\0\1\5", 4)),
+      of_kind(1, big + std::string("\7\0\1\5", 4)),
       of_kind(2, "# c\nv 0 0 0\nv 1 0 0 1\nvn 0 0 1\nv 0 1 0\ng a\nf 1/1/1 2//1 -1\nf 1 2 \\\n3\n"),
       of_kind(2, "v 0 0 0\nv 1 0 0\nvn 0 0 1\nvn 0 1 0\n"),
       of_kind(3, stl + std::string(2, '\0')),
