@@ -3,7 +3,10 @@
 
 // Segments a shape in a file, or a generated one, and writes the parts. See --help.
 
+#include "gaps.h"
+#include "nearest_elements.h"
 #include "segment_options.h"
+#include "segment_outputs.h"
 #include "segment_progress.h"
 #include "segment_report.h"
 #include "shape_generator.h"
@@ -17,13 +20,14 @@
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -66,7 +70,6 @@ template <typename Concurrency_tag>
 WCS::Result segment_with(const Shape& shape, const Options& options,
                          Segment_shape::Stage_times& stages)
 {
-  const Segment_shape::Interruption interruption;
   Segment_shape::Progress_line progress(options.quiet);
   const std::function<bool(double)> go_on = [&](const double share)
   {
@@ -110,62 +113,66 @@ Shape_io::Parts parts_at(const WCS::Level level, const Shape& shape, const WCS::
   return parts;
 }
 
-// The files to write. They are begun before the work, so that an output that can't be written
-// shows at once, and take their places together when all is written.
-class Outputs
+// The parts of what the labels are carried to.
+Shape_io::Parts parts_of_nearest(const Shape& from, const Shape_io::Parts& parts, const Shape& to)
 {
-public:
-  explicit Outputs(const Options& options)
-    : m_parts(open(options.parts_file)), m_labels(open(options.labels_file)),
-      m_stats(open(options.stats_file))
-  {}
-
-  void write(const Options& options, const Shape& shape, const Run& run)
+  Shape_io::Parts result;
+  result.colors = parts.colors;
+  for (const std::size_t source : Shape_io::nearest_elements(from, to))
   {
-    const Shape_io::Parts parts = parts_at(options.level, shape, run.result);
-    if (m_parts)
-      Shape_io::write_parts(m_parts->stream(), shape, parts,
-                            options.ascii ? Shape_io::Encoding::ASCII : Shape_io::Encoding::BINARY);
-    if (m_labels) Shape_io::write_labels(m_labels->stream(), parts.labels);
-    if (m_stats) Segment_shape::write_stats(m_stats->stream(), options, shape, run);
-    for (const auto* file : {&m_parts, &m_labels, &m_stats})
-      if (*file) (*file)->finish();
-    for (const auto* file : {&m_parts, &m_labels, &m_stats})
-      if (*file) (*file)->commit();
+    const bool is_known = source != Shape_io::no_element;
+    result.labels.push_back(is_known ? parts.labels[source] : -1);
+    result.quality.push_back(is_known ? parts.quality[source] : 0.);
   }
-
-private:
-  using File = std::unique_ptr<Shape_io::Atomic_file>;
-
-  static File open(const std::string& path)
-  {
-    return path.empty() ? File() : std::make_unique<Shape_io::Atomic_file>(path);
-  }
-
-  File m_parts, m_labels, m_stats;
-};
+  return result;
+}
 
 void print_results(const Options& options, const Shape& shape, const Run& run)
 {
-  Segment_shape::print_summary(std::cout, shape, run);
-  for (const std::string& file : {options.parts_file, options.labels_file, options.stats_file})
-    if (!file.empty()) std::cout << "wrote " << file << '\n';
+  const std::vector<std::string> files = Segment_shape::output_files(options);
+  const bool is_standard_output_taken = std::count(files.begin(), files.end(), "-") > 0;
+  std::ostream& out = is_standard_output_taken ? std::cerr : std::cout;
+  Segment_shape::print_summary(out, shape, run);
+  for (const std::string& file : files)
+    if (file != "-") out << "wrote " << file << '\n';
+  if (!options.split_folder.empty()) out << "wrote parts to " << options.split_folder << '\n';
+}
+
+std::string name_of_input(const Options& options)
+{
+  if (options.input.empty()) return options.shape + " (generated)";
+  return options.input == "-" ? "standard input" : options.input;
 }
 
 void segment_shape(const Options& options)
 {
+  for (const std::string& file : Segment_shape::output_files(options))
+    Shape_io::Atomic_file::check(file);
   Run run;
-  run.name = options.input.empty() ? options.shape + " (generated)" : options.input;
+  run.name = name_of_input(options);
   const Segment_shape::Stopwatch reading;
-  const Shape shape =
-      options.input.empty() ? generated_shape(options.shape) : Shape_io::read_shape(options.input);
+  const Shape shape = options.input.empty()
+                          ? generated_shape(options.shape)
+                          : Shape_io::read_shape(options.input, Shape_io::Gaps::ALLOWED);
+  std::optional<Shape> dense;
+  if (!options.dense_file.empty())
+    dense = Shape_io::read_shape(options.dense_file, Shape_io::Gaps::ALLOWED);
   run.seconds_of_reading = reading.seconds();
+  const Shape_io::Measured_shape measured(shape);
+  run.number_of_gaps = measured.number_of_gaps();
 
-  Outputs outputs(options);
+  const Segment_shape::Interruption interruption;
+  Segment_shape::Outputs outputs(options);
   const Segment_shape::Stopwatch segmentation;
-  run.result = segment(shape, options, run.stages);
+  run.result = segment(measured.shape(), options, run.stages);
   run.seconds_of_segmentation = segmentation.seconds();
-  outputs.write(options, shape, run);
+  const Shape_io::Parts parts = parts_at(options.level, measured.shape(), run.result);
+  if (dense)
+    outputs.write(*dense, parts_of_nearest(measured.shape(), parts, *dense));
+  else
+    outputs.write(shape, measured.spread(parts));
+  outputs.write_stats(shape, run);
+  outputs.commit();
   if (!options.quiet) print_results(options, shape, run);
 }
 
@@ -195,6 +202,8 @@ std::string one_line(std::string message)
 
 int main(const int argc, char* argv[])
 {
+  // A reader that goes away shows as an error of writing: what was begun is removed.
+  std::signal(SIGPIPE, SIG_IGN);
   // CGAL prints errors before it throws them; they are printed below.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   try

@@ -7,6 +7,7 @@
 #define BOOST_TEST_MODULE Programs
 #include <boost/test/included/unit_test.hpp>
 
+#include "run_program.h"
 #include "scratch_folder.h"
 #include "shape_generator.h"
 #include "shape_io.h"
@@ -15,44 +16,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <sys/wait.h>
-
 namespace {
-
-using Words = std::vector<std::string>;
-
-struct Outcome
-{
-  int exit_code;
-  std::string out, err;
-};
-
-std::string quoted(const std::string& word)
-{
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? "'\\''" : std::string(1, c);
-  return result + "'";
-}
-
-// Runs a program in the folder; its output goes to files beside, not in, the folder.
-Outcome run(const Scratch_folder& folder, const std::string& program, const Words& words = {})
-{
-  const char* const bin_dir = std::getenv("WCS_BIN_DIR");
-  BOOST_REQUIRE_MESSAGE(bin_dir, "set WCS_BIN_DIR to the folder of the programs");
-  const Scratch_folder output;
-  std::string command = "cd " + quoted(folder.path().string()) + " && " +
-                        quoted(std::string(bin_dir) + "/" + program);
-  for (const std::string& word : words) command += " " + quoted(word);
-  command += " >" + quoted(output.file("out")) + " 2>" + quoted(output.file("err")) + " </dev/null";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output.read("out"), output.read("err")};
-}
 
 Outcome segment_shape(const Scratch_folder& folder, const Words& words)
 {
@@ -323,7 +292,7 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused)
                                        {""},
                                        {"-o", ""},
                                        {"a.off", "--shape", "cup"},
-                                       {"a.off", "-o", "a.obj"},
+                                       {"a.off", "-o", "a.xyz"},
                                        {"--seed", "1", "--seed", "2"},
                                        {"a.off", "-o", "b.ply", "--labels", "b.ply"},
                                        {"--quiet=yes"}};

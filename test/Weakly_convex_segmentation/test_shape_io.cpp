@@ -5,6 +5,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "scratch_folder.h"
+#include "separate_parts.h"
 #include "shape_io.h"
 
 #include <algorithm>
@@ -218,12 +219,17 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
       {"empty.off", "", "empty"},
       {"a.abc", "x", "extension"},
       {"a", "x", "extension"},
-      {"range.off", "OFF\n3 1 0\n" + triangle + "3 0 1 3\n", "OFF"},
+      {"range.off", "OFF\n3 1 0\n" + triangle + "3 0 1 3\n", "face 0"},
+      {"less.off", "OFF\n3 1 0\n" + triangle + "-3 0 1 2\n", "'-3'"},
+      {"half.off", "OFF\n3 1 0\n" + triangle + "2.5 0 1 2\n", "'2.5'"},
+      {"few.off", "OFF\n3 1 0\n" + triangle + "3 0 1\n", "line 6"},
+      {"word.off", "OFF\n3 1 0\n" + triangle + "3 0 1 x\n", "'x'"},
+      {"control.off", "OFF\n3 1 0\n" + triangle + "3 0 1 \x1b[2J\n", "'?[2J'"},
       {"range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "corner"},
       {"zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "corner"},
       {"range.ply", ply_header("float", 3) + ply_faces + "end_header\n" + triangle + "3 0 1 -1\n",
        "face 0"},
-      {"none.obj", "v 0 0 0\n", "OBJ"},
+      {"none.obj", "vn 0 0 0\n", "OBJ"},
       {"two.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "3 corners"},
       {"none.off", "OFF\n0 0 0\n", "no points"},
       {"none.xyz", "# only this\n", "no points"},
@@ -233,10 +239,10 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
       {"cut.ply", cut, "ends before"},
       {"many.off", "OFF\n999999999 1 0\n" + triangle, "999999999"},
       {"many.ply", ply_header("float", 999999) + "end_header\n", "number of elements"},
-      {"face.off", "OFF\n3 1 0\n" + triangle + "999999999 0 1 2\n", "corners"},
+      {"face.off", "OFF\n3 1 0\n" + triangle + "999999999 0 1 2\n", "999999999"},
       {"list.ply", list_too_long, ""},
-      {"nan.xyz", "0 0 1\n0 0 nan\n", "XYZ"},
-      {"first.xyz", "0 0 nan\n0 0 0\n", "first line"},
+      {"nan.xyz", "0 0 1\n0 0 nan\n", "point 1"},
+      {"first.xyz", "0 0 nan\n0 0 0\n", "point 0"},
       {"count.xyz", "3\n0 0 0\n", "first line"},
       {"nan.stl", binary_stl("x", std::nanf("")), "finite"},
       {"nan.ply", ply_header("float", 1) + "end_header\n0 nan 0\n", "point 0"},
@@ -254,7 +260,7 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
                                 "0\n1\n",
        "vertex_indices"},
       {"noend.ply", ply_header("float", 1), "no end"},
-      {"four.xyz", "0 0 0 1\n", "XYZ"}};
+      {"two.xyz", "0 0\n0 1\n", "XYZ"}};
   const Scratch_folder folder;
   for (const auto& file : files)
   {
@@ -270,8 +276,9 @@ BOOST_AUTO_TEST_CASE(garbage_is_refused)
 {
   const Scratch_folder folder;
   std::mt19937 random(1);
-  for (const std::string extension : {"off", "ply", "obj", "stl", "xyz", "pwn"})
-    for (const std::string start : {"", "ply\n", "OFF\n3 1 0\n", "solid ", "v 0 0 0\n"})
+  for (const std::string extension : {"off", "ply", "obj", "stl", "xyz", "pwn", "pcd"})
+    for (const std::string start : {"", "ply\n", "FIELDS x y z\nPOINTS 9\nDATA ascii\n",
+                                    "OFF\n3 1 0\n", "solid ", "v 0 0 0\n"})
     {
       std::string bytes = start;
       for (int i = 0; i < 3000; ++i) bytes += static_cast<char>(random() % 256);
@@ -285,7 +292,9 @@ BOOST_AUTO_TEST_CASE(nothing_is_lost_by_writing)
   mesh.points = square;
   mesh.points.emplace_back(0.1, 1. / 3., 1e-9); // no floats, and without a face
   mesh.polygons = {{0, 1, 3, 2}, {0, 1, 2}, {1, 3, 2}};
-  mesh.face_properties = {{"kind", "uchar", {1, 2, 255}}, {"label", "float", {9, 9, 9}}};
+  mesh.face_properties = {{"kind", "uchar", {1, 2, 255}},
+                          {"label", "float", {9, 9, 9}},
+                          {"texcoord", "float", {0.5, 0.25, 1}, "uchar", {0, 2, 2, 3}}};
   cloud.points = square;
   for (const Point& p : square) cloud.normals.emplace_back(p.y() / 3., 0.25, p.x());
   cloud.point_properties = {{"heat", "short", {-300, 1, 2, 3}}, {"t", "double", {0.1, 1, 2, 3}}};
@@ -315,6 +324,10 @@ BOOST_AUTO_TEST_CASE(nothing_is_lost_by_writing)
       if (shape.is_mesh())
       {
         BOOST_TEST(property(of_elements, "kind").values == shape.face_properties[0].values);
+        BOOST_TEST(property(of_elements, "texcoord").values == shape.face_properties[2].values);
+        BOOST_TEST(property(of_elements, "texcoord").first == shape.face_properties[2].first);
+        const Shape part = Shape_io::shape_of_elements(shape, {0, 2});
+        BOOST_TEST(part.face_properties[2].first == (std::vector<std::size_t>{0, 2, 3}));
         // the majority, the first of equals, and none
         const std::vector<double> expected = {1, 1, 1, 1, -1};
         BOOST_TEST(property(read.point_properties, "label").values == expected);

@@ -9,15 +9,18 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
+#include <iostream>
 #include <ostream>
 #include <random>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace Shape_io {
 
 // A file that is there as a whole or not at all: it is written beside its place and renamed by
-// commit(). Without commit(), the destructor removes what was written.
+// commit(). Without commit(), the destructor removes what was written. The name "-" is standard
+// output.
 class Atomic_file
 {
 public:
@@ -26,6 +29,9 @@ public:
   explicit Atomic_file(const std::string& path) : m_name(path), m_target(path)
   {
     std::error_code error;
+    m_is_standard = path == "-";
+    m_is_direct = m_is_standard;
+    if (m_is_standard) return;
     if (std::filesystem::is_directory(m_target, error)) fail("it is a folder; name a file");
     // A device or pipe can't be replaced, nor what standard output goes to: they are written to
     // directly.
@@ -53,7 +59,16 @@ public:
   Atomic_file(const Atomic_file&) = delete;
   Atomic_file& operator=(const Atomic_file&) = delete;
 
-  std::ostream& stream() { return m_stream; }
+  // Throws File_error if no file of that name can be written. Nothing is left there.
+  static void check(const std::string& path)
+  {
+    std::error_code error;
+    if (path != "-" &&
+        (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error)))
+      const Atomic_file file(path);
+  }
+
+  std::ostream& stream() { return m_is_standard ? std::cout : m_stream; }
 
   // Throws File_error if not all could be written.
   void commit()
@@ -69,8 +84,9 @@ public:
   // committed.
   void finish()
   {
+    if (m_is_standard) std::cout.flush();
     if (m_stream.is_open()) m_stream.close(); // sets failbit if the buffer can't be written
-    if (!m_stream) fail("not all could be written; check for free space");
+    if (!stream()) fail("not all could be written; check for free space");
   }
 
 private:
@@ -84,7 +100,44 @@ private:
   std::filesystem::path m_written;
   std::ofstream m_stream;
   bool m_is_direct = false;
+  bool m_is_standard = false;
   bool m_is_committed = false;
+};
+
+// A folder that is made if need be, with those around it. Without keep(), what was made is removed
+// again if nothing else is in it.
+class New_folder
+{
+public:
+  // Throws File_error if there can't be a folder of that name.
+  explicit New_folder(const std::string& path) : m_path(path)
+  {
+    std::error_code error;
+    for (std::filesystem::path p = m_path; !p.empty() && !std::filesystem::exists(p, error);
+         p = p.parent_path())
+      m_made.push_back(p);
+    std::filesystem::create_directories(m_path, error);
+    if (std::filesystem::is_directory(m_path, error)) return;
+    remove_made();
+    throw File_error("cannot make the folder '" + path +
+                     "': name one that is no file, in a place that is writable");
+  }
+  ~New_folder() { remove_made(); }
+  New_folder(const New_folder&) = delete;
+  New_folder& operator=(const New_folder&) = delete;
+
+  void keep() { m_made.clear(); }
+  std::string path_of(const std::string& name) const { return (m_path / name).string(); }
+
+private:
+  void remove_made()
+  {
+    std::error_code error;
+    for (const auto& p : m_made) std::filesystem::remove(p, error); // nothing if it is not empty
+  }
+
+  std::filesystem::path m_path;
+  std::vector<std::filesystem::path> m_made; // the innermost first
 };
 
 } // namespace Shape_io

@@ -4,17 +4,16 @@
 #ifndef SHAPE_IO_PLY_CURSOR_H
 #define SHAPE_IO_PLY_CURSOR_H
 
-#include <algorithm>
-#include <charconv>
+#include "text_lines.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <system_error>
+#include <string_view>
 
 // The numbers in the body of a PLY file, one after the other, whatever the encoding.
 
@@ -55,7 +54,7 @@ inline Ply_type ply_type(const std::string& name)
   for (int i = 0; i < 8; ++i)
     if (name == long_names[i] || name == ply_type_name(static_cast<Ply_type>(i)))
       return static_cast<Ply_type>(i);
-  throw std::runtime_error("its header has the unknown type '" + name +
+  throw std::runtime_error("its header has the unknown type '" + shown(name) +
                            "'; use char, uchar, short, ushort, int, uint, float or double");
 }
 
@@ -140,15 +139,8 @@ private:
     if (m_next == m_end) ends_early();
     const char* last = m_next;
     while (last != m_end && !is_space(*last)) ++last;
-    const char* const first = *m_next == '+' ? m_next + 1 : m_next;
-    double result = 0.;
-    const std::from_chars_result end = std::from_chars(first, last, result);
-    // Too small or too large for a double: infinity is refused later, where the point is named.
-    if (end.ec == std::errc::result_out_of_range)
-      result = std::strtod(std::string(first, last).c_str(), nullptr);
-    else if (end.ec != std::errc() || end.ptr != last)
-      throw std::runtime_error("'" + std::string(m_next, (std::min)(last, m_next + 20)) +
-                               "' is not a number; check the file or export the shape again");
+    const double result =
+        number_of(std::string_view(m_next, static_cast<std::size_t>(last - m_next)));
     m_next = last;
     return result;
   }

@@ -6,6 +6,7 @@
 
 #include "ply_cursor.h"
 #include "shape.h"
+#include "text_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -51,7 +52,7 @@ inline Ply_format ply_format(const std::string& name)
   if (name == "ascii") return Ply_format::ASCII;
   if (name == "binary_little_endian") return Ply_format::LITTLE_ENDIAN_BINARY;
   if (name == "binary_big_endian") return Ply_format::BIG_ENDIAN_BINARY;
-  throw std::runtime_error("its header has the unknown format '" + name +
+  throw std::runtime_error("its header has the unknown format '" + shown(name) +
                            "'; use ascii, binary_little_endian or binary_big_endian");
 }
 
@@ -79,15 +80,15 @@ inline bool take_ply_header_line(const std::string& line, const std::size_t file
   {
     long long size = -1;
     if (!(words >> name >> size) || size < 0 || static_cast<std::size_t>(size) > file_size)
-      throw std::runtime_error("its header has a wrong number of elements in '" +
-                               line.substr(0, 40) + "'; copy or export it again");
+      throw std::runtime_error("its header has a wrong number of elements in '" + shown(line, 40) +
+                               "'; copy or export it again");
     header.elements.push_back({name, static_cast<std::size_t>(size), {}});
   }
   else if (keyword == "property" && !header.elements.empty())
     header.elements.back().properties.push_back(ply_property(words));
   else if (!(keyword.empty() || keyword == "ply" || keyword == "comment" || keyword == "obj_info" ||
              keyword == "end_header"))
-    throw std::runtime_error("its header has the unknown line '" + line.substr(0, 40) +
+    throw std::runtime_error("its header has the unknown line '" + shown(line, 40) +
                              "'; export the shape again");
   return keyword != "end_header";
 }
@@ -115,13 +116,31 @@ inline bool is_polygon_list(const Ply_property& property)
   return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-// Reads an element into columns, one a property that is not a list, and its polygons, if any.
+inline std::vector<std::size_t> read_ply_polygon(Ply_cursor& cursor, const Ply_type type,
+                                                 const std::size_t size)
+{
+  std::vector<std::size_t> polygon(size);
+  for (std::size_t& corner : polygon)
+  {
+    const double number = cursor.number(type);
+    // An index that can't be one becomes one that is out of range, which is refused later.
+    corner = number >= 0. && number < 1e15 ? static_cast<std::size_t>(number) : std::size_t(-1);
+  }
+  return polygon;
+}
+
+// Reads an element into columns, one a property, and its polygons, if any.
 inline std::vector<Property> read_ply_columns(Ply_cursor& cursor, const Ply_element& element,
                                               std::vector<std::vector<std::size_t>>& polygons)
 {
   std::vector<Property> columns;
   for (const Ply_property& property : element.properties)
+  {
     columns.push_back({property.name, ply_type_name(property.type), {}});
+    if (!property.is_list) continue;
+    columns.back().list_size_type = ply_type_name(property.size_type);
+    columns.back().first = {0};
+  }
   if (columns.empty()) return columns;
 
   for (std::size_t i = 0; i < element.size; ++i)
@@ -133,19 +152,20 @@ inline std::vector<Property> read_ply_columns(Ply_cursor& cursor, const Ply_elem
         columns[j].values.push_back(cursor.number(property.type));
         continue;
       }
-      std::vector<std::size_t> list(cursor.list_size(property.size_type));
-      for (std::size_t& entry : list)
+      const std::size_t size = cursor.list_size(property.size_type);
+      if (is_polygon_list(property))
+        polygons.push_back(read_ply_polygon(cursor, property.type, size));
+      else
       {
-        const double number = cursor.number(property.type);
-        // An index that can't be one becomes one that is out of range, which is refused later.
-        entry = number >= 0. && number < 1e15 ? static_cast<std::size_t>(number) : std::size_t(-1);
+        for (std::size_t k = 0; k < size; ++k)
+          columns[j].values.push_back(cursor.number(property.type));
+        columns[j].first.push_back(columns[j].values.size());
       }
-      if (is_polygon_list(property)) polygons.push_back(std::move(list));
     }
 
   std::vector<Property> result;
   for (std::size_t j = 0; j < columns.size(); ++j)
-    if (!element.properties[j].is_list) result.push_back(std::move(columns[j]));
+    if (!is_polygon_list(element.properties[j])) result.push_back(std::move(columns[j]));
   return result;
 }
 
@@ -157,7 +177,7 @@ inline bool take_columns(std::vector<Property>& columns, const std::array<const 
   for (std::size_t i = 0; i < 3; ++i)
   {
     found[i] = std::find_if(columns.begin(), columns.end(),
-                            [&](const Property& p) { return p.name == names[i]; });
+                            [&](const Property& p) { return p.name == names[i] && !p.is_list(); });
     if (found[i] == columns.end()) return false;
   }
   for (std::size_t i = 0; i < 3; ++i)
@@ -193,7 +213,7 @@ inline void read_ply(const std::string& bytes, Shape& shape)
   for (const Ply_element& element : header.elements)
   {
     if (!names.insert(element.name).second)
-      throw std::runtime_error("it has the element '" + element.name +
+      throw std::runtime_error("it has the element '" + shown(element.name) +
                                "' twice; export the shape again");
     std::vector<std::vector<std::size_t>> polygons;
     std::vector<Property> columns = read_ply_columns(cursor, element, polygons);

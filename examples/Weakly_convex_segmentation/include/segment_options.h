@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 // The command line of segment_shape.
 
@@ -25,6 +27,8 @@ struct Options
   std::string input; // empty: the generated shape is segmented
   std::string shape = "figure";
   std::string parts_file, labels_file, stats_file; // empty: not written
+  std::string hulls_file, split_folder;            // empty: not written
+  std::string dense_file;                          // empty: the labels are those of the input
   std::string preset = "default";
   std::string stage = "segments";
   WCS::Level level = WCS::Level::SEGMENTS;
@@ -36,6 +40,17 @@ struct Options
   bool version = false;
 };
 
+// The files that are written, without those of `split_folder`.
+// "-" among them is standard output.
+inline std::vector<std::string> output_files(const Options& options)
+{
+  std::vector<std::string> files;
+  for (const std::string& file :
+       {options.parts_file, options.labels_file, options.stats_file, options.hulls_file})
+    if (!file.empty()) files.push_back(file);
+  return files;
+}
+
 namespace internal {
 
 namespace po = boost::program_options;
@@ -44,6 +59,7 @@ namespace po = boost::program_options;
 struct Numbers
 {
   long long max_segments = 0, seed = 0, threads = 0;
+  double min_segment_share = 0.;
 };
 
 inline po::options_description described_options(Options& options, Numbers& numbers)
@@ -51,11 +67,19 @@ inline po::options_description described_options(Options& options, Numbers& numb
   po::options_description result("Options");
   auto add = result.add_options();
   add("output,o", po::value(&options.parts_file)->value_name("PARTS.ply"),
-      "write the input with a color, an int label and a float quality for each part as PLY");
+      "write the input with a color, an int label and a float quality for each part as PLY; or, if "
+      "the name ends in .obj, as OBJ with a group a part");
   add("labels", po::value(&options.labels_file)->value_name("PARTS.seg"),
       "write one label a line, in the order of the input");
   add("stats", po::value(&options.stats_file)->value_name("STATS.json"),
       "write counts, seconds and the numbers of each part as JSON");
+  add("split", po::value(&options.split_folder)->value_name("FOLDER"),
+      "write each part as a file of its own, FOLDER/part_0.ply and so on");
+  add("hulls", po::value(&options.hulls_file)->value_name("HULLS.ply"),
+      "write the convex hulls of the parts as one mesh, PLY or OBJ (groups); flat parts have none");
+  add("transfer", po::value(&options.dense_file)->value_name("DENSE.ply"),
+      "give all outputs for this shape instead, each point or face with the part of INPUT that it "
+      "is nearest to");
   add("preset", po::value(&options.preset)->value_name("default|paper|fitted"),
       "parameters: the best known (default), those of the paper, or a cost fitted to people's "
       "parts");
@@ -63,6 +87,8 @@ inline po::options_description described_options(Options& options, Numbers& numb
       "granularity of the labels (default: segments)");
   add("max-segments", po::value(&numbers.max_segments)->value_name("N"),
       "merge on until there are at most N segments");
+  add("min-segment-size", po::value(&numbers.min_segment_share)->value_name("SHARE"),
+      "give segments under this share of the shape, 0 to 1, to a neighbor (default: 0.0092)");
   add("seed", po::value(&numbers.seed)->value_name("N"), "seed of all random choices (default: 0)");
   add("threads", po::value(&numbers.threads)->value_name("N"),
       "number of threads; the result does not depend on it (default: all)");
@@ -88,25 +114,37 @@ inline void check_range(const po::variables_map& given, const char* const name,
            std::to_string(low) + " to " + std::to_string(high));
 }
 
-inline bool has_ply_extension(const std::string& path)
+inline bool has_extension(const std::string& path, const std::string& lower,
+                          const std::string& upper)
 {
-  const std::string end = path.substr(path.size() - (std::min)(path.size(), std::size_t(4)));
-  return end == ".ply" || end == ".PLY";
+  const std::string end = path.substr(path.size() - (std::min)(path.size(), lower.size()));
+  return end == lower || end == upper;
+}
+
+inline bool is_obj_file(const std::string& path) { return has_extension(path, ".obj", ".OBJ"); }
+
+inline void check_mesh_file(const std::string& path)
+{
+  if (!path.empty() && path != "-" && path.compare(0, 5, "/dev/") != 0 &&
+      !has_extension(path, ".ply", ".PLY") && !is_obj_file(path))
+    refuse("'" + path + "' is written as PLY or OBJ; end its name with .ply or .obj");
 }
 
 inline void check_files(const po::variables_map& given, const Options& options)
 {
-  for (const char* const name : {"input", "output", "labels", "stats"})
+  for (const char* const name :
+       {"input", "output", "labels", "stats", "hulls", "split", "transfer"})
     if (given.count(name) && given[name].as<std::string>().empty())
       refuse("the name of a file is empty (" + std::string(name) + ")");
   if (given.count("input") && given.count("shape"))
     refuse("there is both a file and --shape; give one of them");
-  const std::string& parts = options.parts_file;
-  if (!parts.empty() && parts.compare(0, 5, "/dev/") != 0 && !has_ply_extension(parts))
-    refuse("'" + parts + "' is written as PLY; end its name with .ply");
-  if ((!parts.empty() && (parts == options.labels_file || parts == options.stats_file)) ||
-      (!options.labels_file.empty() && options.labels_file == options.stats_file))
-    refuse("two outputs have the same name");
+  if (options.input == "-" && options.dense_file == "-")
+    refuse("standard input can't be both INPUT and --transfer");
+  check_mesh_file(options.parts_file);
+  check_mesh_file(options.hulls_file);
+  std::set<std::string> names;
+  for (const std::string& file : output_files(options))
+    if (!names.insert(file).second) refuse("two outputs have the same name");
 }
 
 // Carries the given words and numbers over to the parameters.
@@ -173,8 +211,14 @@ inline Options read_options(const int argc, const char* const argv[])
   internal::check_range(given, "seed", numbers.seed, 0, 4294967295);
   internal::check_range(given, "threads", numbers.threads, 1, 1024);
   internal::apply(numbers, options);
-  const bool asks_for_nothing = !given.count("input") && !given.count("output") &&
-                                !given.count("labels") && !given.count("stats");
+  if (given.count("min-segment-size"))
+  {
+    if (!(numbers.min_segment_share >= 0. && numbers.min_segment_share <= 1.))
+      internal::refuse("--min-segment-size is not a share; give a number from 0 to 1");
+    options.parameters.minimum_segment_share = numbers.min_segment_share;
+  }
+  const bool asks_for_nothing = !given.count("input") && options.dense_file.empty() &&
+                                output_files(options).empty() && options.split_folder.empty();
   if (asks_for_nothing) options.parts_file = "parts.ply";
   return options;
 }
@@ -184,9 +228,13 @@ inline void print_help(std::ostream& out)
   Options options;
   internal::Numbers numbers;
   out << "Usage: segment_shape [INPUT] [OPTIONS]\n\n"
-         "Segments a mesh (OFF, PLY, OBJ, STL) or a cloud of points (PLY, XYZ, PWN, OFF) into\n"
-         "weakly convex parts. Without INPUT it segments a shape of its own and, unless told\n"
-         "otherwise, writes parts.ply.\n\n"
+         "Segments a mesh (OFF, PLY, OBJ, STL) or a cloud of points (PLY, PCD, XYZ, PWN, TXT, "
+         "CSV,\n"
+         "PTS, OFF, OBJ) into weakly convex parts. Without INPUT it segments a shape of its own "
+         "and,\n"
+         "unless told otherwise, writes parts.ply. The name - is standard input or output. Pixels "
+         "of\n"
+         "a depth camera without a measurement (NaN) keep their place and get the label -1.\n\n"
       << internal::described_options(options, numbers);
 }
 

@@ -89,20 +89,27 @@ class Interruption
 public:
   Interruption()
   {
-    std::signal(SIGINT, take);
-    std::signal(SIGTERM, take);
+    for (const int signal : signals)
+      if (std::signal(signal, take) == SIG_IGN) std::signal(signal, SIG_IGN); // as nohup wants it
   }
   ~Interruption()
   {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int signal : signals)
+      if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
   static bool happened() { return mark() != 0; }
+  // Throws Canceled if it happened.
+  static void check()
+  {
+    if (happened()) throw WCS::Canceled();
+  }
 
 private:
+  static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
+
   static volatile std::sig_atomic_t& mark()
   {
     static volatile std::sig_atomic_t value = 0;

@@ -27,15 +27,17 @@ struct Run
   std::string name; // of the input
   double seconds_of_reading = 0.;
   double seconds_of_segmentation = 0.;
+  std::size_t number_of_gaps = 0; // points without coordinates
   Stage_times stages;
   WCS::Result result;
 };
 
 namespace internal {
 
-inline double share_of(const WCS::Segment& segment, const Shape_io::Shape& shape)
+inline double share_of(const WCS::Segment& segment, const Shape_io::Shape& shape, const Run& run)
 {
-  return static_cast<double>(segment.size) / static_cast<double>(shape.number_of_elements());
+  return static_cast<double>(segment.size) /
+         static_cast<double>(shape.number_of_elements() - run.number_of_gaps);
 }
 
 inline nlohmann::ordered_json json_of_seconds(const Run& run)
@@ -59,7 +61,7 @@ inline nlohmann::ordered_json json_of_segments(const Run& run, const Shape_io::S
     const WCS::Segment& segment = run.result.segments[label];
     segments.push_back({{"label", label},
                         {"size", segment.size},
-                        {"share", share_of(segment, shape)},
+                        {"share", share_of(segment, shape, run)},
                         {"convexity_rank", segment.convexity_rank},
                         {"diameter", segment.diameter},
                         {"neighbors", segment.neighbors}});
@@ -77,6 +79,7 @@ inline void write_stats(std::ostream& out, const Options& options, const Shape_i
       {"kind", shape.is_mesh() ? "mesh" : "cloud"},
       {"number_of_points", shape.points.size()},
       {"number_of_faces", shape.polygons.size()},
+      {"number_of_gaps", run.number_of_gaps},
       {"preset", options.preset},
       {"stage", options.stage},
       {"seed", options.parameters.seed},
@@ -95,6 +98,7 @@ inline void print_summary(std::ostream& out, const Shape_io::Shape& shape, const
   out << std::fixed << std::setprecision(2) << run.name << ": " << shape.points.size()
       << " points, ";
   if (shape.is_mesh()) out << shape.polygons.size() << " faces, ";
+  if (run.number_of_gaps > 0) out << run.number_of_gaps << " of them without coordinates, ";
   out << run.result.merge_tree.number_of_patches() << " patches, "
       << run.result.number_of_components << " components, " << run.result.number_of_segments()
       << " segments in " << run.seconds_of_segmentation << " s\n";
@@ -103,7 +107,7 @@ inline void print_summary(std::ostream& out, const Shape_io::Shape& shape, const
   {
     const WCS::Segment& segment = run.result.segments[label];
     out << "  segment " << label << ": " << segment.size << ' ' << shape.element_name() << " ("
-        << 100. * internal::share_of(segment, shape) << " %), convexity rank "
+        << 100. * internal::share_of(segment, shape, run) << " %), convexity rank "
         << segment.convexity_rank << '\n';
   }
   if (number_of_lines < run.result.segments.size())

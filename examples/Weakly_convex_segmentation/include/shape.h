@@ -6,6 +6,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,12 @@ struct Property
   std::string name;
   std::string type; // as in the header of a PLY file: "uchar", "float", ...
   std::vector<double> values;
+  // Only of lists, such as texture coordinates: the type of their sizes, and where the values of each
+  // element begin, with the end of the last.
+  std::string list_size_type = {};
+  std::vector<std::size_t> first = {};
+
+  bool is_list() const { return !list_size_type.empty(); }
 };
 
 // A mesh (a soup of polygons) or, when there are no polygons, a cloud of points.
@@ -49,6 +56,19 @@ struct Shape
   std::size_t number_of_elements() const { return is_mesh() ? polygons.size() : points.size(); }
   const char* element_name() const { return is_mesh() ? "faces" : "points"; }
 };
+
+// Depth cameras keep a place for each pixel: where nothing was measured, all coordinates are NaN.
+enum class Gaps
+{
+  REFUSED,
+  ALLOWED
+};
+
+template <typename Triple>
+bool is_gap(const Triple& t)
+{
+  return std::isnan(t.x()) && std::isnan(t.y()) && std::isnan(t.z());
+}
 
 } // namespace Shape_io
 

@@ -47,9 +47,7 @@ class Ply_writer
 {
 public:
   Ply_writer(std::ostream& stream, const Encoding encoding) : m_stream(stream), m_encoding(encoding)
-  {
-    m_stream.imbue(std::locale::classic());
-  }
+  {}
 
   template <typename Number>
   void write(const Number number)
@@ -148,13 +146,24 @@ inline void write_kept(Ply_writer& writer, const std::vector<const Property*>& p
                        const std::size_t i)
 {
   for (const Property* const property : properties)
-    writer.write(property->values[i], ply_type(property->type));
+  {
+    const Ply_type type = ply_type(property->type);
+    if (!property->is_list())
+    {
+      writer.write(property->values[i], type);
+      continue;
+    }
+    const std::size_t first = property->first[i], last = property->first[i + 1];
+    writer.write(static_cast<double>(last - first), ply_type(property->list_size_type));
+    for (std::size_t k = first; k < last; ++k) writer.write(property->values[k], type);
+  }
 }
 
 inline void declare_part_properties(std::ostream& out, const std::vector<const Property*>& kept)
 {
   for (const Property* const property : kept)
-    out << "property " << property->type << ' ' << property->name << '\n';
+    out << "property " << (property->is_list() ? "list " + property->list_size_type + ' ' : "")
+        << property->type << ' ' << property->name << '\n';
   out << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
          "property int label\nproperty float quality\n";
 }
@@ -247,6 +256,8 @@ inline void write_parts(std::ostream& out, const Shape& shape, const Parts& part
 {
   const std::vector<const Property*> of_points = internal::kept_properties(shape.point_properties);
   const std::vector<const Property*> of_faces = internal::kept_properties(shape.face_properties);
+  // before anything is written: a file that can't be flushed for another locale is of no use after
+  out.imbue(std::locale::classic());
   out << "ply\nformat " << (encoding == Encoding::ASCII ? "ascii" : "binary_little_endian")
       << " 1.0\ncomment parts of a weakly convex segmentation\nelement vertex "
       << shape.points.size() << '\n';

@@ -1,0 +1,190 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What segment_shape writes besides the labeled shape: groups, files of single parts, hulls.
+
+#define BOOST_TEST_MODULE Outputs
+#include <boost/test/included/unit_test.hpp>
+
+#include "part_hulls.h"
+#include "run_program.h"
+#include "scratch_folder.h"
+#include "separate_parts.h"
+#include "shape_io.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Shape_io::Point;
+using Shape_io::Shape;
+
+std::vector<int> labels_of(const Scratch_folder& folder, const std::string& name)
+{
+  std::istringstream lines(folder.read(name));
+  std::vector<int> labels;
+  for (int label; lines >> label;) labels.push_back(label);
+  return labels;
+}
+
+const Shape_io::Property& property(const std::vector<Shape_io::Property>& all,
+                                   const std::string& name)
+{
+  const auto it = std::find_if(all.begin(), all.end(),
+                               [&](const Shape_io::Property& p) { return p.name == name; });
+  BOOST_REQUIRE(it != all.end());
+  return *it;
+}
+
+// The dumbbell's cloud with a property of its own, the number of each point.
+std::string numbered_cloud(const Scratch_folder& folder)
+{
+  BOOST_REQUIRE(run(folder, "make_shapes", {"--cloud", "--points", "3000", "dumbbell"}).exit_code ==
+                0);
+  const Shape cloud = Shape_io::read_shape(folder.file("dumbbell.ply"));
+  std::ostringstream out;
+  out.precision(17);
+  out << "ply\nformat ascii 1.0\nelement vertex " << cloud.points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty float normal_x\n"
+         "property float normal_y\nproperty float normal_z\nproperty int number\nend_header\n";
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    out << cloud.points[i] << ' ' << cloud.normals[i] << ' ' << i << '\n';
+  return folder.write("numbered.ply", out.str());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(split_loses_no_point_and_no_property)
+{
+  const Scratch_folder folder;
+  numbered_cloud(folder);
+  const Shape whole = Shape_io::read_shape(folder.file("numbered.ply"));
+  BOOST_TEST(whole.normals.size() == whole.points.size());
+  const Outcome outcome = run(folder, "segment_shape",
+                              {"numbered.ply", "--quiet", "--split", "parts", "--labels", "l.seg"});
+  BOOST_TEST(outcome.exit_code == 0);
+  BOOST_TEST(outcome.err == "");
+  const std::vector<int> labels = labels_of(folder, "l.seg");
+  BOOST_REQUIRE(labels.size() == whole.points.size());
+  const int count = 1 + *std::max_element(labels.begin(), labels.end());
+  BOOST_TEST(count > 1);
+  std::set<std::size_t> seen;
+  for (int label = 0; label < count; ++label)
+  {
+    const Shape part =
+        Shape_io::read_shape(folder.file("parts/part_" + std::to_string(label) + ".ply"));
+    const auto& numbers = property(part.point_properties, "number").values;
+    BOOST_REQUIRE(numbers.size() == part.points.size());
+    BOOST_TEST(std::is_sorted(numbers.begin(), numbers.end()));
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+      const auto number = static_cast<std::size_t>(numbers[i]);
+      BOOST_TEST_REQUIRE(seen.insert(number).second);
+      BOOST_TEST_REQUIRE(part.points[i] == whole.points[number]);
+      BOOST_TEST_REQUIRE(labels[number] == label);
+    }
+  }
+  BOOST_TEST(seen.size() == whole.points.size());
+}
+
+BOOST_AUTO_TEST_CASE(split_of_a_mesh_keeps_each_face)
+{
+  const Scratch_folder folder;
+  BOOST_REQUIRE(
+      run(folder, "segment_shape",
+          {"--shape", "table", "--quiet", "--split", "a/b", "--labels", "l.seg", "-o", "all.obj"})
+          .exit_code == 0);
+  const std::vector<int> labels = labels_of(folder, "l.seg");
+  const int count = 1 + *std::max_element(labels.begin(), labels.end());
+  for (int label = 0; label < count; ++label)
+    BOOST_TEST(Shape_io::read_shape(folder.file("a/b/part_" + std::to_string(label) + ".ply"))
+                   .polygons.size() ==
+               static_cast<std::size_t>(std::count(labels.begin(), labels.end(), label)));
+  const std::string obj = folder.read("all.obj");
+  for (int label = 0; label < count; ++label)
+    BOOST_TEST(obj.find("\ng part_" + std::to_string(label) + "\n") != std::string::npos);
+  BOOST_TEST(Shape_io::read_shape(folder.file("all.obj")).polygons.size() == labels.size());
+}
+
+BOOST_AUTO_TEST_CASE(hulls_enclose_their_parts)
+{
+  const Scratch_folder folder;
+  BOOST_REQUIRE(run(folder, "segment_shape", {"--shape", "dumbbell", "--quiet", "--hulls", "h.ply"})
+                    .exit_code == 0);
+  const Shape hulls = Shape_io::read_shape(folder.file("h.ply"));
+  const auto& labels = property(hulls.face_properties, "label").values;
+  BOOST_TEST(*std::max_element(labels.begin(), labels.end()) >= 1.);
+  for (std::size_t f = 0; f < hulls.polygons.size(); ++f)
+    for (std::size_t g = 0; g < hulls.polygons.size(); ++g)
+      if (labels[f] == labels[g])
+      {
+        const auto& c = hulls.polygons[f];
+        BOOST_TEST_REQUIRE(
+            (CGAL::orientation(hulls.points[c[0]], hulls.points[c[1]], hulls.points[c[2]],
+                               hulls.points[hulls.polygons[g][0]]) != CGAL::POSITIVE));
+      }
+}
+
+BOOST_AUTO_TEST_CASE(flat_and_tiny_parts_have_no_hull)
+{
+  Shape cloud;
+  for (int i = 0; i < 8; ++i) cloud.points.emplace_back(i & 1, (i >> 1) & 1, i >> 2);
+  for (int i = 0; i < 5; ++i) cloud.points.emplace_back(i, i * i, 7);
+  for (int i = 0; i < 3; ++i) cloud.points.emplace_back(i, i, i);
+  cloud.points.emplace_back(9, 9, 9);
+  cloud.points.emplace_back(8, 9, 9);
+  cloud.points.emplace_back(8, 9, 9);
+  const std::vector<int> labels = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2, 3, 4, 4};
+  const Shape_io::Part_hulls hulls = Shape_io::part_hulls(cloud, labels, 5);
+  BOOST_TEST(hulls.flat_parts == (std::vector<int>{1, 2, 3, 4}), boost::test_tools::per_element());
+  BOOST_TEST(hulls.shape.points.size() == 8u);
+  BOOST_TEST(hulls.labels.size() == hulls.shape.polygons.size());
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_left_when_an_output_fails)
+{
+  const Scratch_folder folder;
+  folder.write("file", "x");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--shape", "table", "--split", "file/parts"},
+        {"--shape", "table", "--split", "new/parts", "-o", "/dev/full"},
+        {"--shape", "table", "--split", "parts", "--hulls", "no/folder/h.ply"},
+        {"--shape", "table", "-o", "/dev/full", "--ascii"},
+        {"--shape", "table", "--labels", "/dev/full"},
+        {"--shape", "table", "--stats", "/dev/full"},
+        {"--shape", "table", "--hulls", "/dev/full"},
+        {"--shape", "table", "--hulls", "h.txt"},
+        {"--shape", "table", "--min-segment-size", "2"},
+        {"--shape", "table", "--min-segment-size", "nan"}})
+  {
+    const Outcome outcome = run(folder, "segment_shape", words);
+    BOOST_TEST(outcome.exit_code == 1);
+    if (words.back() == "/dev/full")
+      BOOST_TEST(outcome.err.find("cannot write '/dev/full'") != std::string::npos);
+    BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    BOOST_TEST(folder.number_of_files() == 1u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(small_segments_are_given_away_and_the_cap_holds)
+{
+  const Scratch_folder folder;
+  const auto number_of_parts = [&](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> words = {"--shape", "octopus", "--quiet", "--labels", "l.seg"};
+    words.insert(words.end(), more.begin(), more.end());
+    BOOST_REQUIRE(run(folder, "segment_shape", words).exit_code == 0);
+    const std::vector<int> labels = labels_of(folder, "l.seg");
+    return 1 + *std::max_element(labels.begin(), labels.end());
+  };
+  const int all = number_of_parts({});
+  BOOST_TEST(all > 2);
+  BOOST_TEST(number_of_parts({"--min-segment-size", "0.3"}) < all);
+  BOOST_TEST(number_of_parts({"--max-segments", "2"}) == 2);
+  BOOST_TEST(number_of_parts({"--max-segments", "1"}) == 1);
+}

@@ -1,0 +1,259 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// segment_shape on standard input and output, with gaps, with labels carried over, and interrupted.
+
+#define BOOST_TEST_MODULE Streams
+#include <boost/test/included/unit_test.hpp>
+
+#include "pcd_files.h"
+#include "run_program.h"
+#include "scratch_folder.h"
+#include "shape_io.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+using Shape_io::Shape;
+
+std::vector<int> labels_in(const std::string& text)
+{
+  std::istringstream lines(text);
+  std::vector<int> labels;
+  for (int label; lines >> label;) labels.push_back(label);
+  return labels;
+}
+
+Outcome segment_shape(const Scratch_folder& folder, const Words& words,
+                      const std::string& input = "/dev/null")
+{
+  return run(folder, "segment_shape", words, input);
+}
+
+void make_shape(const Scratch_folder& folder, const Words& words)
+{
+  BOOST_REQUIRE(run(folder, "make_shapes", words).exit_code == 0);
+}
+
+// Starts segment_shape in the folder and sends it the signal after a while.
+int interrupted_status(const Scratch_folder& folder, const int signal, const int milliseconds,
+                       const std::vector<std::string>& words)
+{
+  const std::string program = std::string(std::getenv("WCS_BIN_DIR")) + "/segment_shape";
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    if (chdir(folder.path().c_str()) != 0 || std::freopen("/dev/null", "w", stderr) == nullptr)
+      _exit(99);
+    std::vector<char*> arguments = {const_cast<char*>(program.c_str())};
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    execv(program.c_str(), arguments.data());
+    _exit(99);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+  kill(child, signal);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(standard_input_and_output_are_files_too)
+{
+  const Scratch_folder folder;
+  make_shape(folder, {"dumbbell"});
+  const Outcome usual = segment_shape(folder, {"dumbbell.off", "-o", "a.ply", "--labels", "a.seg"});
+  BOOST_REQUIRE(usual.exit_code == 0);
+  const Outcome labels = segment_shape(folder, {"-", "--labels", "-"}, "dumbbell.off");
+  BOOST_TEST(labels.exit_code == 0);
+  BOOST_TEST(labels.out == folder.read("a.seg"));
+  BOOST_TEST(labels.err.find("standard input: ") != std::string::npos); // the summary moves there
+  const Outcome ply = segment_shape(folder, {"-", "-o", "-", "--quiet"}, "dumbbell.off");
+  BOOST_TEST((ply.out == folder.read("a.ply")));
+  BOOST_TEST(ply.err == "");
+  const Outcome again = segment_shape(folder, {"-", "--labels", "-", "--quiet"}, "a.ply");
+  BOOST_TEST(again.out == folder.read("a.seg"));
+  const Outcome stats = segment_shape(folder, {"-", "--stats", "-", "--quiet"}, "dumbbell.off");
+  BOOST_TEST(stats.out.find("\"input\": \"standard input\"") != std::string::npos);
+  for (const Words& words :
+       {Words{"-"}, Words{"-", "-o", "-", "--labels", "-"}, Words{"-", "--transfer", "-"}})
+  {
+    const Outcome refused = segment_shape(folder, words);
+    BOOST_TEST(refused.exit_code == 1);
+    BOOST_TEST(std::count(refused.err.begin(), refused.err.end(), '\n') == 1);
+    BOOST_TEST(refused.out == "");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pixels_without_a_measurement_keep_their_place)
+{
+  const Scratch_folder folder;
+  make_shape(folder, {"--cloud", "--points", "3000", "dumbbell"});
+  const Shape cloud = Shape_io::read_shape(folder.file("dumbbell.ply"));
+  std::ostringstream out;
+  out.precision(17);
+  out << "# .PCD v0.7\nFIELDS x y z normal_x normal_y normal_z number\nSIZE 8 8 8 8 8 8 4\n"
+         "TYPE F F F F F F I\nWIDTH "
+      << 2 * cloud.points.size() << "\nHEIGHT 1\nDATA ascii\n";
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+  {
+    out << "nan nan nan nan nan nan " << 2 * i << '\n';
+    out << cloud.points[i] << ' ';
+    if (i % 10 == 0) // what normal estimation says of points with too few neighbors
+      out << "nan nan nan";
+    else
+      out << cloud.normals[i];
+    out << ' ' << 2 * i + 1 << '\n';
+  }
+  folder.write("gaps.pcd", out.str());
+  const Outcome outcome = segment_shape(folder, {"gaps.pcd", "-o", "a.ply", "--labels", "a.seg",
+                                                 "--split", "parts", "--stats", "a.json"});
+  BOOST_REQUIRE_EQUAL(outcome.exit_code, 0);
+  BOOST_TEST(outcome.out.find(std::to_string(cloud.points.size()) + " of them without") !=
+             std::string::npos);
+  BOOST_TEST(folder.read("a.json").find("\"number_of_gaps\": " +
+                                        std::to_string(cloud.points.size())) != std::string::npos);
+  const std::vector<int> labels = labels_in(folder.read("a.seg"));
+  const Shape parts = Shape_io::read_shape(folder.file("a.ply"), Shape_io::Gaps::ALLOWED);
+  BOOST_REQUIRE(labels.size() == 2 * cloud.points.size());
+  BOOST_REQUIRE(parts.points.size() == labels.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    BOOST_TEST_REQUIRE((labels[i] == -1) == (i % 2 == 0));
+    BOOST_TEST_REQUIRE(parts.point_properties[0].values[i] == static_cast<double>(i));
+    BOOST_TEST_REQUIRE(Shape_io::is_gap(parts.points[i]) == (i % 2 == 0));
+    if (i % 2 == 1) BOOST_TEST_REQUIRE((parts.points[i] == cloud.points[i / 2]));
+  }
+  BOOST_TEST(*std::max_element(labels.begin(), labels.end()) >= 1);
+  std::size_t split_points = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.file("parts")))
+    if (entry.path().filename() != "part_none.ply")
+      split_points +=
+          Shape_io::read_shape(entry.path().string(), Shape_io::Gaps::ALLOWED).points.size();
+  BOOST_TEST(split_points == cloud.points.size());
+  BOOST_TEST(std::filesystem::exists(folder.file("parts/part_none.ply")));
+  folder.write("tiny.pcd", pcd_file("binary_compressed"));
+  BOOST_TEST(segment_shape(folder, {"tiny.pcd", "--labels", "-", "--quiet"}).out ==
+             "0\n0\n-1\n0\n0\n0\n");
+  BOOST_TEST(segment_shape(folder, {"tiny.pcd", "--stage", "patches", "-o", "b.obj"}).exit_code ==
+             0);
+}
+
+BOOST_AUTO_TEST_CASE(labels_are_carried_to_points_that_were_not_in_the_run)
+{
+  const Scratch_folder folder;
+  make_shape(folder, {"dumbbell"});
+  make_shape(folder, {"--cloud", "--points", "20000", "dumbbell"});
+  BOOST_REQUIRE(segment_shape(folder, {"dumbbell.off", "-o", "a.ply"}).exit_code == 0);
+  const Outcome outcome = segment_shape(
+      folder, {"dumbbell.off", "--transfer", "dumbbell.ply", "--quiet", "-o", "dense.ply",
+               "--labels", "dense.seg", "--split", "parts", "--hulls", "h.ply"});
+  BOOST_REQUIRE_EQUAL(outcome.err, "");
+  const Shape cloud = Shape_io::read_shape(folder.file("dumbbell.ply"));
+  const Shape dense = Shape_io::read_shape(folder.file("dense.ply"));
+  BOOST_TEST((dense.points == cloud.points));
+  const std::vector<int> labels = labels_in(folder.read("dense.seg"));
+  BOOST_REQUIRE(labels.size() == cloud.points.size());
+  // the nearest by hand, for some
+  const Shape mesh = Shape_io::read_shape(folder.file("a.ply"));
+  const auto& of_faces = std::find_if(mesh.face_properties.begin(), mesh.face_properties.end(),
+                                      [](const auto& p) { return p.name == "label"; })
+                             ->values;
+  std::size_t tested = 0, equal = 0;
+  for (std::size_t i = 0; i < labels.size(); i += 200, ++tested)
+  {
+    double least = 1e300, label = -2.;
+    for (std::size_t f = 0; f < mesh.polygons.size(); ++f)
+    {
+      const auto& c = mesh.polygons[f];
+      const double d = CGAL::squared_distance(
+          cloud.points[i], CGAL::centroid(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]));
+      if (d < least) least = d, label = of_faces[f];
+    }
+    if (static_cast<int>(label) == labels[i]) ++equal;
+  }
+  BOOST_TEST(equal * 100 >= tested * 97); // by centroids, which differs at borders
+  // onto itself nothing changes, mesh or cloud
+  for (const std::string name : {"dumbbell.off", "dumbbell.ply"})
+  {
+    const std::string usual = segment_shape(folder, {name, "--labels", "-", "--quiet"}).out;
+    const std::string carried =
+        segment_shape(folder, {name, "--transfer", name, "--labels", "-", "--quiet"}).out;
+    BOOST_TEST((usual == carried), name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_interruption_leaves_nothing)
+{
+  const Scratch_folder folder;
+  make_shape(folder, {"--cloud", "--points", "200000", "figure"});
+  const std::size_t files = folder.number_of_files();
+  for (const auto& [signal, milliseconds] : std::vector<std::pair<int, int>>{
+           {SIGINT, 5}, {SIGINT, 200}, {SIGINT, 600}, {SIGTERM, 300}, {SIGHUP, 300}})
+  {
+    const int status = interrupted_status(
+        folder, signal, milliseconds,
+        {"figure.ply", "-o", "a.ply", "--labels", "a.seg", "--split", "parts/of/it", "--quiet"});
+    // before the first output is begun the signal ends the program at once
+    BOOST_TEST(((WIFEXITED(status) && WEXITSTATUS(status) == 1) ||
+                (WIFSIGNALED(status) && WTERMSIG(status) == signal)));
+    BOOST_TEST(folder.number_of_files() == files);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_reader_that_goes_away_leaves_nothing)
+{
+  const Scratch_folder folder;
+  make_shape(folder, {"figure"});
+  const std::size_t files = folder.number_of_files();
+  const std::string command =
+      "cd " + quoted(folder.path().string()) + " && " +
+      quoted(std::string(std::getenv("WCS_BIN_DIR")) + "/segment_shape") +
+      " figure.off -o - --labels a.seg --quiet 2>/dev/null | head -c 10 >/dev/null";
+  BOOST_TEST(std::system(command.c_str()) == 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  BOOST_TEST(folder.number_of_files() == files);
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_answered_within_a_second)
+{
+  const Scratch_folder folder;
+  folder.write("a b.xyz", "0 0 0\n0 0 inf\n");
+  folder.write("\xc3\xa4\xe4\xb8\xad\xf0\x9f\x98\x80.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n");
+  make_shape(folder, {"figure"});
+  const std::size_t files = folder.number_of_files();
+  for (const Words& words :
+       {Words{"a b.xyz", "-o", "x.ply"},
+        Words{"\xc3\xa4\xe4\xb8\xad\xf0\x9f\x98\x80.off", "-o", "x.ply"},
+        Words{"none.ply", "-o", "x.ply"}, Words{"figure.off", "-o", "no/x.ply"},
+        Words{"figure.off", "--transfer", "none.ply", "-o", "x.ply"},
+        Words{"figure.off", "-o", "x.ply", "--split", "figure.off"}})
+  {
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome outcome = segment_shape(folder, words);
+    // a second, and another one for a busy machine
+    BOOST_TEST((std::chrono::steady_clock::now() - start < std::chrono::seconds(2)));
+    BOOST_TEST(outcome.exit_code == 1);
+    BOOST_TEST(outcome.out == "");
+    BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    BOOST_TEST(folder.number_of_files() == files);
+  }
+}
