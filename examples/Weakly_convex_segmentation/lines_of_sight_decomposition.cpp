@@ -58,17 +58,17 @@ int main(int argc, char* argv[])
     auto labels = cloud.add_property_map<int>("label", -1).first;
 
     const auto segmentation = CGAL::weakly_convex_segmentation(cloud, labels);
-    std::cout << "segmentation: " << segmentation.number_of_segments() << " parts, convexity rank "
-              << mean_rank(segmentation.segments) << '\n';
+    std::cout << "segmentation: " << segmentation.number_of_segments()
+              << " segments, convexity rank " << mean_rank(segmentation.segments) << '\n';
 
     const auto by_gap = WCS::lines_of_sight_decomposition(cloud, labels);
-    std::cout << "lines of sight: " << by_gap.number_of_segments() << " parts, convexity rank "
+    std::cout << "lines of sight: " << by_gap.number_of_segments() << " segments, convexity rank "
               << mean_rank(by_gap.segments) << '\n';
 
     WCS::Lines_of_sight_parameters told;
     told.number_of_segments = segmentation.number_of_segments();
     const auto as_many = WCS::lines_of_sight_decomposition(cloud, labels, told);
-    std::cout << "lines of sight: " << as_many.number_of_segments() << " parts, convexity rank "
+    std::cout << "lines of sight: " << as_many.number_of_segments() << " segments, convexity rank "
               << mean_rank(as_many.segments) << '\n';
     return EXIT_SUCCESS;
   }
