@@ -182,7 +182,7 @@ Json vary(const SM::Benchmark_model& model, const Parameters& preset,
 {
   Experiment experiment(model, preset);
   Json json = {{"base", experiment.score(preset, false)}, {"changes", Json::array()}};
-  for (unsigned int seed = 1; seed <= 4; ++seed)
+  for (unsigned int seed = 1; seed <= 4 && analyze_anew; ++seed)
   {
     Parameters parameters = preset;
     parameters.seed = seed;

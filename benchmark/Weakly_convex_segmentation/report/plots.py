@@ -124,7 +124,11 @@ def time_chart(scores, growth):
 def sensitivity_chart(table, noise, title):
     """Change of the score a parameter; the gray band is what another seed changes."""
     figure, axes = plt.subplots(figsize=(11, 1.2 + 0.3 * len(table)))
-    axes.axvspan(-noise, noise, color="#dddddd", label="other seeds (mean absolute change)")
+    if not math.isnan(noise):
+        label = f"other seeds: {noise:.4f} (mean absolute change)"
+        axes.axvspan(-noise, noise, color="#dddddd", label=label)
+    largest = max(abs(c) for _, changes in table for c in changes.values())
+    axes.set_xlim(-1.1 * largest - 1e-5, 1.1 * largest + 1e-5)
     for row, (_, changes) in enumerate(table):
         for step, color in ((-10, "#1f77b4"), (-3, "#9ecae1"), (3, "#fdae6b"), (10, "#e6550d")):
             if step in changes:
