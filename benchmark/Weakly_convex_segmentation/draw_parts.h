@@ -165,7 +165,7 @@ inline View look(const Scene& scene, const Camera& camera, const int size)
   if (scene.faces.empty())
   {
     const double radius =
-        std::clamp(0.6 * size / std::sqrt(static_cast<double>(scene.points.size())), 1., 8.);
+        std::clamp(size / std::sqrt(static_cast<double>(scene.points.size())), 1., 10.);
     for (std::size_t i = 0; i < scene.points.size(); ++i)
     {
       const bool has_normal = i < scene.normals.size();
