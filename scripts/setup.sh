@@ -4,10 +4,12 @@
 
 # Installs the Debian (or Ubuntu) packages that are missing, and does nothing if none is.
 #
-#   scripts/setup.sh [GROUP...]      groups: build picture test doc report; without any: build test
+#   scripts/setup.sh [GROUP...]      groups: build picture test doc report pcl; without
+#                                  any: build test
 #
 # build: compiler and libraries; picture: the viewer of scripts/demo; test: what scripts/test needs
-# besides; doc: the tool that makes the manual; report: what scripts/scan_report draws with.
+# besides; doc: the tool that makes the manual; report: what scripts/report and
+# scripts/scan_report draw with; pcl: a library whose methods the benchmark compares with (large).
 
 set -euo pipefail
 
@@ -16,7 +18,8 @@ build=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libe
 picture=(f3d xvfb xauth)
 test=(libbenchmark-dev clang-14 clang-format-14)
 doc=(doxygen)
-report=(python3-matplotlib)
+report=(python3-matplotlib python3-pil)
+pcl=(libpcl-dev)
 
 if (($# == 0)); then
   set -- build test
@@ -30,8 +33,9 @@ for group in "$@"; do
     test) wanted+=("${test[@]}") ;;
     doc) wanted+=("${doc[@]}") ;;
     report) wanted+=("${report[@]}") ;;
+    pcl) wanted+=("${pcl[@]}") ;;
     *)
-      echo "setup.sh: there is no group '$group': build, picture, test, doc, report" >&2
+      echo "setup.sh: there is no group '$group': build, picture, test, doc, report, pcl" >&2
       exit 1
       ;;
   esac

@@ -320,8 +320,9 @@ BOOST_AUTO_TEST_CASE(what_can_not_be_read_or_written_is_refused)
 BOOST_AUTO_TEST_CASE(the_small_examples_run)
 {
   const Scratch_folder folder;
-  for (const std::string name : {"segment_mesh", "segment_point_set", "segment_custom_container",
-                                 "components_only", "visitor_and_granularity"})
+  for (const std::string name :
+       {"segment_mesh", "segment_point_set", "segment_custom_container", "components_only",
+        "visitor_and_granularity", "lines_of_sight_decomposition"})
   {
     BOOST_TEST_CONTEXT(name)
     {

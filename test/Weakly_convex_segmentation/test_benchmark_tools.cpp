@@ -1,0 +1,248 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the benchmark is made of: methods in processes of their own, pictures, and the programs and the
+// runner on a small benchmark that is made here.
+
+#define BOOST_TEST_MODULE Benchmark_tools
+#include <boost/test/included/unit_test.hpp>
+
+#include "draw_parts.h"
+#include "forked_run.h"
+#include "scratch_folder.h"
+#include "shape_generator.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+
+namespace {
+
+using Forked_run::Labeling;
+using Json = nlohmann::json;
+
+std::string program(const std::string& name)
+{
+  const char* const bin_dir = std::getenv("WCS_BIN_DIR");
+  BOOST_REQUIRE_MESSAGE(bin_dir, "set WCS_BIN_DIR to the folder of the programs");
+  return std::string(bin_dir) + "/" + name;
+}
+
+int exit_code(const Scratch_folder& folder, const std::string& command)
+{
+  const int status = std::system(
+      ("cd '" + folder.path().string() + "' && " + command + " > out.txt 2> err.txt < /dev/null")
+          .c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// writes a shape as model `number` of a benchmark, with its true parts and one part as two people's
+void write_model(const Scratch_folder& folder, const int number, const std::string& shape)
+{
+  const auto mesh = Shape_generator::make_mesh(shape, 4000);
+  const std::string n = std::to_string(number);
+  for (const std::string& f : {std::string("off"), "seg/Benchmark/" + n})
+    std::filesystem::create_directories(folder.path() / "data" / f);
+  std::ostringstream off, truth, one;
+  off << "OFF\n" << mesh.points.size() << ' ' << mesh.faces.size() << " 0\n";
+  for (const auto& p : mesh.points) off << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for (const auto& f : mesh.faces) off << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
+  for (const int l : mesh.labels)
+  {
+    truth << l << '\n';
+    one << "0\n";
+  }
+  folder.write("data/off/" + n + ".off", off.str());
+  folder.write("data/seg/Benchmark/" + n + "/" + n + "_0.seg", truth.str());
+  folder.write("data/seg/Benchmark/" + n + "/" + n + "_1.seg", one.str());
+}
+
+/// the command that runs the runner, or nothing if it can't be run here
+std::string runner()
+{
+  const char* const source_dir = std::getenv("WCS_SOURCE_DIR");
+  if (source_dir == nullptr || std::system("python3 --version > /dev/null 2>&1") != 0) return "";
+  return "python3 '" + std::string(source_dir) +
+         "/benchmark/Weakly_convex_segmentation/run_benchmark.py' --jobs 2 --bin '" + program("") +
+         "' ";
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_method_in_a_child_gives_labels)
+{
+  const auto outcome = Forked_run::run(
+      [] {
+        return std::vector<Labeling>{{"a", {1, 2, 3}, 0.5}, {"b", {}, 0.}};
+      },
+      10);
+  BOOST_TEST(outcome.failure == "");
+  BOOST_REQUIRE(outcome.labelings.size() == 2u);
+  BOOST_TEST(outcome.labelings[0].method == "a");
+  BOOST_TEST(outcome.labelings[0].labels == (std::vector<int>{1, 2, 3}));
+  BOOST_TEST(outcome.labelings[0].cpu_seconds == 0.5);
+  BOOST_TEST(outcome.labelings[1].labels.empty());
+  BOOST_TEST(outcome.peak_megabytes > 0.);
+}
+
+BOOST_AUTO_TEST_CASE(memory_of_a_child_is_measured)
+{
+  const auto peak = [](const std::size_t megabytes)
+  {
+    return Forked_run::run(
+               [&]
+               {
+                 const std::vector<int> memory(megabytes << 18, 1);
+                 return std::vector<Labeling>{{"a", {memory.back()}, 0.}};
+               },
+               60)
+        .peak_megabytes;
+  };
+  const double difference = peak(200) - peak(1);
+  BOOST_TEST(difference > 150.);
+  BOOST_TEST(difference < 250.);
+}
+
+BOOST_AUTO_TEST_CASE(what_happens_to_a_child_is_told)
+{
+  using Labelings = std::vector<Labeling>;
+  const auto failure = [](const std::function<Labelings()>& method)
+  {
+    const auto outcome = Forked_run::run(method, 1);
+    BOOST_TEST(outcome.labelings.empty());
+    return outcome.failure;
+  };
+  BOOST_TEST(failure([]() -> Labelings { throw std::runtime_error("no luck"); }) == "no luck");
+  BOOST_TEST(failure([]() -> Labelings { ::_exit(0); }) == "it ended before it was done");
+  BOOST_TEST(failure(
+                 []() -> Labelings
+                 {
+                   ::raise(SIGKILL);
+                   return {};
+                 }) == "ended by signal 9");
+  BOOST_TEST(failure(
+                 []() -> Labelings
+                 {
+                   ::sleep(20);
+                   return {};
+                 }) == "stopped after 1 s");
+}
+
+BOOST_AUTO_TEST_CASE(a_picture_shows_what_is_in_front)
+{
+  // two squares, one behind the other
+  Draw_parts::Scene scene;
+  for (const double z : {0., 1.})
+    for (const auto& [x, y] : {std::pair(0., 0.), {1., 0.}, {1., 1.}, {0., 1.}})
+      scene.points.push_back({x, y, z});
+  scene.faces = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  const std::vector<int> labels = {0, 0, 1, 1};
+  const auto seen = [&](const Draw_parts::View& view)
+  {
+    std::set<int> found;
+    for (const std::size_t e : view.element)
+      if (e != Draw_parts::View::none) found.insert(labels[e]);
+    return found;
+  };
+  const Draw_parts::View above = Draw_parts::look(scene, Draw_parts::Camera::Identity(), 100);
+  BOOST_TEST(seen(above) == std::set<int>{1});
+  const Draw_parts::Camera camera = Draw_parts::best_camera(scene, labels);
+  BOOST_TEST((camera * camera.transpose()).isIdentity(1e-9));
+  BOOST_TEST(seen(Draw_parts::look(scene, camera, 100)).size() == 2u);
+
+  const Scratch_folder folder;
+  Draw_parts::write_picture(above, labels, {{255, 0, 0}, {0, 0, 255}}, folder.file("a.ppm"));
+  const std::string picture = folder.read("a.ppm");
+  BOOST_TEST(picture.size() == std::string("P6\n50 50\n255\n").size() + 50u * 50u * 3u);
+  const std::size_t middle = picture.size() - 3u * (25u * 50u + 25u);
+  BOOST_TEST(static_cast<unsigned char>(picture[middle]) == 0u);      // no red
+  BOOST_TEST(static_cast<unsigned char>(picture[middle + 2]) > 100u); // but blue
+}
+
+BOOST_AUTO_TEST_CASE(one_model_is_scored_by_all_methods)
+{
+  const Scratch_folder folder;
+  write_model(folder, 1, "dumbbell");
+  BOOST_TEST(exit_code(folder, program("benchmark_shape") +
+                                   " data 1 --json 1.json --pictures pictures --labels labels "
+                                   "--methods default,lines_of_sight_told,one_segment,people") ==
+             0);
+  BOOST_TEST(folder.has("pictures/1_ours.ppm"));
+  BOOST_TEST(folder.has("pictures/1_person.ppm"));
+  BOOST_TEST(folder.has("labels/1_patches.seg"));
+  const Json json = Json::parse(folder.read("1.json"));
+  BOOST_TEST(json["category"] == "Human");
+  const Json& methods = json["methods"];
+  BOOST_TEST(methods.size() == 6u);
+  BOOST_TEST(methods["people"]["segments"] == 2.);
+  BOOST_TEST(methods["one_segment"]["segments"] == 1.);
+  BOOST_TEST(methods["one_segment"]["cut_discrepancy"].is_null());
+  BOOST_TEST(methods["default"]["segments"] == methods["lines_of_sight_told"]["segments"]);
+  // one person gave the true parts, the other one: their error, and half of it for either's side
+  const double people = methods["people"]["rand_error"];
+  BOOST_TEST(double(methods["one_segment"]["rand_error"]) == people / 2.,
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(double(methods["default"]["rand_error"]) < people);
+  BOOST_TEST(double(methods["default"]["convexity_rank"]) >
+             double(methods["one_segment"]["convexity_rank"]));
+  BOOST_TEST(double(methods["default"]["cpu_seconds"]) >=
+             double(methods["patches"]["cpu_seconds"]));
+  BOOST_TEST(double(methods["default"]["peak_megabytes"]) > 1.);
+
+  BOOST_TEST(exit_code(folder, program("benchmark_shape") + " data 3 --json 3.json") == 1);
+  BOOST_TEST(!folder.has("3.json"));
+  BOOST_TEST(folder.read("err.txt").find("3.off") != std::string::npos);
+  BOOST_TEST(exit_code(folder, program("benchmark_shape") + " data 1 --methods magic") == 1);
+}
+
+BOOST_AUTO_TEST_CASE(the_runner_goes_on_and_tells_of_failures)
+{
+  if (runner().empty())
+  {
+    BOOST_TEST_MESSAGE("skipped: it takes Python 3 and WCS_SOURCE_DIR, the project's folder");
+    return;
+  }
+  const Scratch_folder folder;
+  write_model(folder, 1, "two_spheres");
+  write_model(folder, 21, "dumbbell");
+  const std::string run = runner() + "scores data out --methods default,one_segment,people";
+  BOOST_TEST(exit_code(folder, run) == 0);
+  const std::string table = folder.read("out/scores.csv");
+  BOOST_TEST(std::count(table.begin(), table.end(), '\n') == 1 + 2 * 5);
+  BOOST_TEST(Json::parse(folder.read("out/scores.json"))["models"].size() == 2u);
+
+  BOOST_TEST(exit_code(folder, run) == 0); // all done
+  BOOST_TEST(folder.read("out.txt").find("2 of 2 shapes are done already") != std::string::npos);
+  BOOST_TEST(folder.read("out/scores.csv") == table);
+
+  std::filesystem::remove(folder.path() / "out/scores/21.json");
+  folder.write("data/off/21.off", "OFF\n3 1 0\n");
+  BOOST_TEST(exit_code(folder, run) == 1);
+  BOOST_TEST(folder.read("out.txt").find("1 of 2 shapes") != std::string::npos);
+  const Json merged = Json::parse(folder.read("out/scores.json"));
+  BOOST_TEST(merged["models"].size() == 1u);
+  BOOST_TEST(merged["failures"].contains("model 21"));
+
+  folder.write("shapes.off", "");
+  std::filesystem::create_directories(folder.path() / "shapes/more");
+  std::filesystem::copy_file(folder.path() / "data/off/1.off", folder.path() / "shapes/more/a.off");
+  folder.write("shapes/broken.ply", "ply\nnonsense\n");
+  BOOST_TEST(exit_code(folder, runner() + "corpus shapes corpus") == 1);
+  const Json corpus = Json::parse(folder.read("corpus/corpus.json"));
+  BOOST_TEST(corpus["shapes"].size() == 1u);
+  BOOST_TEST(corpus["shapes"][0]["number_of_segments"] == 2);
+  BOOST_TEST(corpus["failures"].contains("broken.ply"));
+  BOOST_TEST(folder.has("corpus/pictures/more_a.off.ppm"));
+  BOOST_TEST(exit_code(folder, runner() + "merge corpus") == 0);
+}
