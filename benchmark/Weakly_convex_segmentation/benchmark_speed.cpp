@@ -1,0 +1,242 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "princeton_benchmark.h"
+#include "speed_shapes.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/mesh_segmentation.h>
+#include <CGAL/property_map.h>
+#include <CGAL/weakly_convex_segmentation.h>
+
+#include <boost/program_options.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <sys/resource.h>
+
+// How fast the default is, in ratios that mean the same on any machine: against CGAL's search for ten
+// nearest neighbors of the same points, and against CGAL's shape diameter function on the same meshes.
+
+namespace {
+
+using namespace Speed_shapes;
+namespace WCS = CGAL::Weakly_convex_segmentation;
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+double wall_seconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+double seconds_of(double (*clock)(), const std::function<void()>& work)
+{
+  const double begin = clock();
+  work();
+  return clock() - begin;
+}
+
+// CGAL's defaults, points in the order of the input: the floor that any such method pays.
+void search_neighbors(const Cloud& cloud)
+{
+  using Traits = CGAL::Search_traits_3<Kernel>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+  std::vector<Kernel::Point_3> points;
+  for (const Oriented_point& p : cloud) points.push_back(p.first);
+  Search::Tree tree(points.begin(), points.end());
+  double sum = 0.;
+  for (const Kernel::Point_3& p : points)
+    for (const auto& found : Search(tree, p, 11)) sum += found.second;
+  if (sum < 0.) throw std::logic_error("squared distances are positive");
+}
+
+template <typename Tag = CGAL::Sequential_tag>
+std::vector<int> segment(const Cloud& cloud)
+{
+  std::vector<int> labels(cloud.size());
+  std::vector<std::size_t> indices(cloud.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = i;
+  const auto first = CGAL::First_of_pair_property_map<Oriented_point>();
+  const auto second = CGAL::Second_of_pair_property_map<Oriented_point>();
+  const auto point = boost::make_function_property_map<std::size_t>(
+      [&](const std::size_t i) { return get(first, cloud[i]); });
+  const auto normal = boost::make_function_property_map<std::size_t>(
+      [&](const std::size_t i) { return get(second, cloud[i]); });
+  CGAL::weakly_convex_segmentation<Tag>(indices, CGAL::make_property_map(labels), WCS::Parameters(),
+                                        CGAL::parameters::point_map(point).normal_map(normal));
+  return labels;
+}
+
+double peak_bytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024. * static_cast<double>(usage.ru_maxrss);
+}
+
+void compare_with_neighbors(const std::vector<std::size_t>& sizes, const std::size_t runs)
+{
+  std::cout << "points       T (s)    ours (s)  ours/T  bytes a point\n";
+  for (const std::size_t size : sizes)
+  {
+    const Cloud cloud = ordinary(size);
+    std::vector<double> floor, ours, ratio;
+    double bytes = 0.;
+    for (std::size_t run = 0; run < runs; ++run)
+    {
+      const double before = peak_bytes();
+      ours.push_back(seconds_of(cpu_seconds, [&] { segment(cloud); }));
+      if (run == 0) bytes = (peak_bytes() - before) / static_cast<double>(size);
+      floor.push_back(seconds_of(cpu_seconds, [&] { search_neighbors(cloud); }));
+      ratio.push_back(ours.back() / floor.back());
+    }
+    std::cout << std::setw(8) << size << std::fixed << std::setprecision(3) << std::setw(10)
+              << median(floor) << std::setw(12) << median(ours) << std::setprecision(2)
+              << std::setw(8) << median(ratio) << std::setprecision(0) << std::setw(10) << bytes
+              << std::endl;
+  }
+}
+
+void compare_threads(const std::size_t size, const std::size_t runs)
+{
+  const Cloud cloud = ordinary(size);
+  std::vector<double> ratio;
+  bool same = true;
+  for (std::size_t run = 0; run < runs; ++run)
+  {
+    std::vector<int> one, all;
+    const double alone = seconds_of(wall_seconds, [&] { one = segment(cloud); });
+    ratio.push_back(alone /
+                    seconds_of(wall_seconds, [&] { all = segment<CGAL::Parallel_tag>(cloud); }));
+    same = same && one == all;
+  }
+  std::cout << "all threads on " << size << " points: " << std::setprecision(2) << median(ratio)
+            << " times as fast as one (wall clock), " << (same ? "the same" : "OTHER")
+            << " labels\n";
+}
+
+void compare_shapes(const std::size_t size, const std::size_t runs)
+{
+  const auto time = [runs](const Cloud& cloud)
+  {
+    std::vector<double> seconds;
+    for (std::size_t run = 0; run < runs; ++run)
+      seconds.push_back(seconds_of(cpu_seconds, [&] { segment(cloud); }));
+    return median(seconds) / static_cast<double>(cloud.size());
+  };
+  const double usual = time(ordinary(size));
+  const std::pair<const char*, Cloud (*)(std::size_t)> shapes[] = {
+      {"hollow sphere", hollow_sphere},
+      {"5000 separate pieces", separate_pieces},
+      {"flat sheet", flat_sheet},
+      {"long thin wire", straight_wire}};
+  for (const auto& [name, make] : shapes)
+    std::cout << std::setw(22) << name << ": " << std::setprecision(2) << time(make(size)) / usual
+              << " times the time a point of an ordinary shape" << std::endl;
+}
+
+using Surface_mesh =
+    CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+// The ratio of CGAL's default to ours for one mesh; 0 if it is no manifold.
+double sdf_ratio(const Segmentation_metrics::Mesh& soup)
+{
+  Surface_mesh mesh;
+  for (const auto& p : soup.points) mesh.add_vertex({p[0], p[1], p[2]});
+  const auto vertex = [](const std::size_t v)
+  { return Surface_mesh::Vertex_index(static_cast<Surface_mesh::size_type>(v)); };
+  for (const auto& f : soup.faces)
+    if (mesh.add_face(vertex(f[0]), vertex(f[1]), vertex(f[2])) == Surface_mesh::null_face())
+      return 0.;
+  auto label = mesh.add_property_map<Surface_mesh::Face_index, int>("f:label").first;
+  auto part = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:part").first;
+  auto diameter = mesh.add_property_map<Surface_mesh::Face_index, double>("f:sdf").first;
+  const double ours =
+      seconds_of(cpu_seconds, [&] { CGAL::weakly_convex_segmentation(mesh, label); });
+  const double theirs = seconds_of(cpu_seconds,
+                                   [&]
+                                   {
+                                     CGAL::sdf_values(mesh, diameter);
+                                     CGAL::segmentation_from_sdf_values(mesh, diameter, part);
+                                   });
+  return theirs / ours;
+}
+
+void compare_with_sdf(const std::filesystem::path& folder, const int step)
+{
+  std::vector<double> ratios;
+  for (int model = 1, seen = 0; model <= 400; ++model)
+  {
+    const auto path = folder / "off" / (std::to_string(model) + ".off");
+    if (!Segmentation_metrics::is_in_benchmark(model) || !std::filesystem::exists(path)) continue;
+    if (seen++ % step != 0) continue;
+    const double ratio = sdf_ratio(Segmentation_metrics::read_off(path));
+    if (ratio > 0.) ratios.push_back(ratio);
+  }
+  if (ratios.empty()) throw std::runtime_error("'" + folder.string() + "' has no off/N.off");
+  std::cout << ratios.size() << " meshes: CGAL's segmentation by its shape diameter function takes "
+            << std::setprecision(1) << median(ratios) << " times as long (least "
+            << *std::min_element(ratios.begin(), ratios.end()) << ")\n";
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  namespace po = boost::program_options;
+  std::string data;
+  std::size_t runs = 5, largest = 1000000;
+  int step = 1;
+  po::options_description options("benchmark_speed [DATA_DIR] [options]");
+  auto add = options.add_options();
+  add("help,h", "show this text");
+  add("data", po::value(&data), "folder with off/N.off of the Princeton benchmark");
+  add("runs", po::value(&runs), "runs whose median counts (5)");
+  add("largest", po::value(&largest), "most points (1000000)");
+  add("step", po::value(&step), "every so many-th mesh only (1)");
+  try
+  {
+    po::positional_options_description positional;
+    positional.add("data", 1);
+    po::variables_map given;
+    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(),
+              given);
+    po::notify(given);
+    if (given.count("help")) return std::cout << options, 0;
+    if (runs < 1 || step < 1) throw std::invalid_argument("--runs and --step are at least 1");
+    std::vector<std::size_t> sizes;
+    for (const std::size_t size : {10000u, 20000u, 100000u, 1000000u, 10000000u})
+      if (size <= largest) sizes.push_back(size);
+    compare_with_neighbors(sizes, runs);
+    compare_shapes((std::min)(largest, std::size_t(50000)), runs);
+    compare_threads((std::min)(largest, std::size_t(1000000)), runs);
+    if (!data.empty()) compare_with_sdf(data, step);
+  }
+  catch (const std::exception& e)
+  {
+    std::cerr << "benchmark_speed: " << e.what() << '\n';
+    return 1;
+  }
+}
