@@ -134,8 +134,9 @@ void write_triple(Ply_writer& writer, const Triple& triple, const Ply_type type)
 // The properties of the input but for those that the output has of its own.
 inline std::vector<const Property*> kept_properties(const std::vector<Property>& properties)
 {
-  std::set<std::string> names = {"x",   "y",     "z",    "nx",    "ny",    "nz",
-                                 "red", "green", "blue", "alpha", "label", "quality"};
+  std::set<std::string> names = {"x",     "y",        "z",        "nx",       "ny",
+                                 "nz",    "normal_x", "normal_y", "normal_z", "red",
+                                 "green", "blue",     "alpha",    "label",    "quality"};
   std::vector<const Property*> result;
   for (const Property& property : properties)
     if (names.insert(property.name).second) result.push_back(&property);

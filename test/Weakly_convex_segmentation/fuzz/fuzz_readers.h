@@ -157,14 +157,17 @@ inline std::vector<std::string> seeds()
       of_kind(1, binary + corners + std::string("\7\0\1\5", 4)),
       of_kind(1, big + std::string("\7\0\1\5", 4)),
       of_kind(2, "# c\nv 0 0 0\nv 1 0 0 1\nvn 0 0 1\nv 0 1 0\ng a\nf 1/1/1 2//1 -1\nf 1 2 \\\n3\n"),
-      of_kind(2, "v 0 0 0\nv 1 0 0\nvn 0 0 1\nvn 0 1 0\n"),
-      of_kind(3, stl + std::string(2, '\0')),
+      of_kind(2, "v 0 0 0\nv 1 0 0\nvn 0 0 1\nvn 0 1 0\n"), of_kind(3, stl + std::string(2, '\0')),
       of_kind(3,
               "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
               "endloop\nendfacet\nendsolid a\n"),
       of_kind(5, "2\n0 0 0 0 0 1 9\n1 0 0 0 1 0 7\n"),
       of_kind(5, "x,y,z,intensity\n0,0,0,1\nnan,nan,nan,2\n"),
       of_kind(6, "2\n0 0 0 -12 1 2 3\n0 0 1 5 1 2 3\n"),
+      // what the fuzzer found: twice normals, the first of them none
+      of_kind(4, "FIELDS x y z normal_x normal_y normal_z normal_x normal_y normal_z\nPOINTS 1\n"
+                 "DATA ascii\n1 2 3 0 0 0 0 0 1\n"),
+      of_kind(0, "OFF\n3 1 0\n" + triangle + "3 0 1 2 -31 -31 -31\n"),
       of_kind(7, "//X Y Z R G B\n2\n0 0 0 1 2 3\n1 2 3 4 5 6\n")};
   for (const std::string encoding : {"ascii", "binary", "binary_compressed"})
     result.push_back(of_kind(4, pcd_file(encoding)));
