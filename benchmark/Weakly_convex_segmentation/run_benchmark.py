@@ -10,7 +10,8 @@
 
 Every shape is one call of a program, with an exit code and a JSON file in a folder of OUT_DIR. A shape
 whose file is there and newer than the programs is not run again: an interrupted run goes on where it
-stopped. For other options give another OUT_DIR. Afterwards all files are merged to OUT_DIR/scores.json
+stopped. With --methods the file is one of its own: of all files of a model the newest outcome of each
+method counts. For other options give another OUT_DIR. Afterwards all files are merged to OUT_DIR/scores.json
 and scores.csv, sensitivity.json, or corpus.json and corpus.csv.
 """
 
@@ -131,9 +132,9 @@ def run_jobs(jobs, options):
 
 
 def read_outcomes(folder):
-    """The JSON files of a folder, and failures of those that can't be read."""
+    """The JSON files of a folder, oldest first, and failures of those that can't be read."""
     outcomes, failures = [], {}
-    for path in sorted(folder.glob("*.json"), key=lambda p: (len(p.stem), p.stem)):
+    for path in sorted(folder.glob("*.json"), key=lambda p: (p.stat().st_mtime, p.name)):
         try:
             outcomes.append(json.loads(path.read_text()))
         except ValueError as error:
@@ -150,9 +151,19 @@ def write_csv(path, columns, rows):
     part.replace(path)
 
 
+def joined_by_model(outcomes):
+    """Of files of the same model the outcomes of the methods of all, the last file's before others'."""
+    models = {}
+    for outcome in outcomes:
+        known = models.setdefault(outcome["model"], outcome)
+        known["methods"].update(outcome["methods"])
+    return [models[number] for number in sorted(models)]
+
+
 def merge_scores(out, failures):
     outcomes, unreadable = read_outcomes(out / "scores")
     failures = {**unreadable, **failures}
+    outcomes = joined_by_model(outcomes)
     write_whole(out / "scores.json", json.dumps({"models": outcomes, "failures": failures}))
     rows = [
         {"model": o["model"], "category": o["category"], "faces": o["faces"], "method": m, **values}
@@ -221,7 +232,8 @@ def score_jobs(options):
     folder.mkdir(parents=True, exist_ok=True)
     program = options.bin / "benchmark_shape"
     for model in benchmark_models(options):
-        outcome = folder / f"{model}.json"
+        methods = "_" + options.methods.replace(",", "_") if options.methods else ""
+        outcome = folder / f"{model}{methods}.json"
         command = [program, options.input, str(model), "--json", outcome]
         command += ["--pictures", options.out / "pictures"]
         if options.methods:

@@ -226,7 +226,13 @@ BOOST_AUTO_TEST_CASE(the_runner_goes_on_and_tells_of_failures)
   BOOST_TEST(folder.read("out.txt").find("2 of 2 shapes are done already") != std::string::npos);
   BOOST_TEST(folder.read("out/scores.csv") == table);
 
-  std::filesystem::remove(folder.path() / "out/scores/21.json");
+  // one method more: joined with the others
+  BOOST_TEST(exit_code(folder, runner() + "scores data out --methods lines_of_sight") == 0);
+  const std::string joined = folder.read("out/scores.csv");
+  BOOST_TEST(std::count(joined.begin(), joined.end(), '\n') == 1 + 2 * 6);
+  std::filesystem::remove(folder.path() / "out/scores/21_lines_of_sight.json");
+
+  std::filesystem::remove(folder.path() / "out/scores/21_default_one_segment_people.json");
   folder.write("data/off/21.off", "OFF\n3 1 0\n");
   BOOST_TEST(exit_code(folder, run) == 1);
   BOOST_TEST(folder.read("out.txt").find("1 of 2 shapes") != std::string::npos);
