@@ -141,7 +141,7 @@ std::vector<Setting> settings()
           {"maximum_rays_per_pair", "default", "dumbbell", 12.},
           {"merging", "default", "dumbbell", 0.},
           {"diameter", "default", "dumbbell", 0.},
-          {"refinement", "default", "dumbbell", 0.},
+          {"refinement", "default", "hand", 0.},
           {"fusion", "paper", "dumbbell", 1.},
           {"signature_threshold", "paper", "hand", 0.9},
           {"concave_seam_ratio", "paper", "hand", 1e6, {"signature_threshold=1"}},
@@ -167,7 +167,7 @@ std::vector<Setting> settings()
           {"fitted_fusion_threshold", "fitted", "dumbbell", 0.01},
           {"fitted_merging_threshold", "fitted", "dumbbell", 1.},
           {"maximum_number_of_segments", "default", "dumbbell", 1.},
-          {"band_width", "default", "dumbbell", 0.1},
+          {"band_width", "default", "hand", 0.05},
           {"data_exponent", "default", "hand", 0., {"band_width=0.05"}},
           {"data_weight", "default", "hand", 100., {"band_width=0.05"}},
           {"smoothness_angle", "default", "hand", 90., {"band_width=0.05"}}};

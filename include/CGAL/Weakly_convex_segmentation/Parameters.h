@@ -195,13 +195,13 @@ struct Parameters
   /// @{
 
   /// weights of the cost of a merge
-  Merging_cost merging_cost = {1., 2.11, 0.54, 0.59, 0.415, 0.536, 0.368, 0.498};
-  double fusion_threshold = 0.7;   ///< the highest cost at which patches become components
-  double merging_threshold = 1.37; ///< the highest cost at which components become segments
+  Merging_cost merging_cost = {1., 2.17, 0.52, 0.786, 0.387, 0.347, 0.35, 0.453};
+  double fusion_threshold = 1.0;    ///< the highest cost at which patches become components
+  double merging_threshold = 1.469; ///< the highest cost at which components become segments
   /// Distance of signatures where one of the regions has no diameter; at least 0.
-  double missing_diameter_distance = 0.302;
+  double missing_diameter_distance = 0.35;
   /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
-  double minimum_segment_share = 0.0092;
+  double minimum_segment_share = 0.0078;
 
   /// @}
   /// \name Contraction with `Merging_rule::FITTED`
@@ -211,7 +211,7 @@ struct Parameters
   /// is at most this; `[0, 1]`.
   double fitted_fusion_threshold = 0.12;
   /// The same for merging components into segments; `[0, 1]`.
-  double fitted_merging_threshold = 0.64;
+  double fitted_merging_threshold = 0.62;
 
   /// @}
   /// \name All contractions

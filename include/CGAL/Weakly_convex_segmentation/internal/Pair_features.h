@@ -47,6 +47,13 @@ public:
   void compute(int a, int b, std::vector<float>& features);
 
 private:
+  static Parameters fixed_parameters()
+  {
+    Parameters parameters;
+    parameters.missing_diameter_distance = 0.302;
+    return parameters;
+  }
+
   static constexpr float wall = 0.025f; ///< thickness of a wall, relative to the extent
   static double missing() { return std::numeric_limits<double>::quiet_NaN(); }
 
@@ -137,7 +144,7 @@ private:
   const Patches& m_patches;
   const std::vector<Diameter_sample>& m_samples;
   const Histogram_scale m_scale = {};
-  const Parameters m_parameters = {};
+  const Parameters m_parameters = fixed_parameters();
   const Region_cost m_cost;
   double m_whole_diameter = 0., m_whole_thin = 0.;
 };
