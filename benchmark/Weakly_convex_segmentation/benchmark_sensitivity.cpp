@@ -62,8 +62,12 @@ void add_cost(std::vector<Knob>& knobs, const std::string& name, Merging_cost Pa
   };
   add("visibility_weight", &Merging_cost::visibility_weight);
   add("concavity_weight", &Merging_cost::concavity_weight);
+  add("concavity_saturation", &Merging_cost::concavity_saturation);
   add("diameter_weight", &Merging_cost::diameter_weight);
-  add("threshold", &Merging_cost::threshold);
+  add("smaller_closure_weight", &Merging_cost::smaller_closure_weight);
+  add("larger_closure_weight", &Merging_cost::larger_closure_weight);
+  add("seam_extent_weight", &Merging_cost::seam_extent_weight);
+  add("diameter_spread_weight", &Merging_cost::diameter_spread_weight);
 }
 
 /// the parameters that both presets use
@@ -86,15 +90,13 @@ std::vector<Knob> knobs_of_default()
 {
   using P = Parameters;
   std::vector<Knob> knobs = common_knobs();
-  add_cost(knobs, "fusion_cost", &P::fusion_cost);
   add_cost(knobs, "merging_cost", &P::merging_cost);
   for (const Knob& more : {knob("patch_concavity_tolerance", &P::patch_concavity_tolerance, true),
                            knob("diameter_cone_angle", &P::diameter_cone_angle, true),
                            knob("diameter_samples", &P::diameter_samples, true),
                            knob("diameter_rays", &P::diameter_rays, true),
                            knob("missing_diameter_distance", &P::missing_diameter_distance, false),
-                           knob("small_region_share", &P::small_region_share, false),
-                           knob("small_region_exponent", &P::small_region_exponent, false),
+                           knob("merging_threshold", &P::merging_threshold, false),
                            knob("minimum_segment_share", &P::minimum_segment_share, false),
                            knob("smoothness_angle", &P::smoothness_angle, false)})
     knobs.push_back(more);

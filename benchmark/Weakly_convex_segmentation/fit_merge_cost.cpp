@@ -4,17 +4,23 @@
 // The C++ side of fitting the merge cost of the `fitted` preset to labeled shapes; fit_merge_cost.py
 // trains and calls it.
 //
-//   fit_merge_cost samples DATA_DIR VARIANT OUT.bin [TABLES]      features, targets, weights of pairs
-//   fit_merge_cost score DATA_DIR VARIANT TABLES THRESHOLD...     1 - Rand Index of the segmentations
-//   fit_merge_cost names                                          features and their directions
+//   fit_merge_cost prepare DATA_DIR VARIANT FOLDER [NAME=VALUE...]  analyzes all models once
+//   fit_merge_cost samples FOLDER OUT.bin [TABLES]                  features, targets, weights of pairs
+//   fit_merge_cost score FOLDER TABLES THRESHOLD...                 1 - Rand Index of the segmentations
+//   fit_merge_cost score_cut FOLDER TABLES THRESHOLD...             the same after refining borders
+//   fit_merge_cost names                                            features and their directions
 //
-// VARIANT is what the models are turned into: mesh, points, half, two_views, four_views. TABLES is a
-// folder with a table of trees for each category, NAME.txt; with `samples` the pairs are then those on
-// the trees' own path instead of the default cost's.
+// VARIANT is what the models are turned into: mesh, points, half, surface, two_views, four_views, and
+// NAME=VALUE is a member of Parameters. TABLES is a folder with tables of trees, K.txt, and folds.txt,
+// which names a model and its table a line; with `samples` the pairs are then those on the trees' own
+// path instead of the default cost's.
 
+#include "named_parameters.h"
 #include "patch_scores.h"
+#include "saved_models.h"
 
 #include <CGAL/Weakly_convex_segmentation/internal/fitted_merging.h>
+#include <CGAL/Weakly_convex_segmentation/internal/pair_feature_names.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,22 +40,9 @@
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
 namespace SM = Segmentation_metrics;
-using Patch_scores::Variant;
+using Patch_scores::Model;
 
 namespace {
-
-const std::vector<std::pair<Variant, std::string>> variants = {{Variant::MESH, "mesh"},
-                                                               {Variant::POINTS, "points"},
-                                                               {Variant::HALF, "half"},
-                                                               {Variant::TWO_VIEWS, "two_views"},
-                                                               {Variant::FOUR_VIEWS, "four_views"}};
-
-Variant variant_of_name(const std::string& name)
-{
-  for (const auto& [variant, its_name] : variants)
-    if (name == its_name) return variant;
-  throw std::invalid_argument("there is no variant '" + name + "'");
-}
 
 /// Trees read from a text file.
 struct Tree_table
@@ -78,16 +71,41 @@ Tree_table read_table(const std::filesystem::path& path)
   return table;
 }
 
-/// Share of the pairs of faces across two regions that people put in one part, the mean over people.
-double agreement(const Patch_scores::Model& model, const WCS::internal::Region_graph& graph,
-                 const int a, const int b)
+/// The tables of a folder and which model is judged by which.
+class Tree_tables
 {
-  double sum = 0., size_a = 0., size_b = 0.;
+public:
+  explicit Tree_tables(const std::filesystem::path& folder)
+  {
+    std::ifstream in(folder / "folds.txt");
+    int model = 0;
+    for (std::string name; in >> model >> name;)
+    {
+      m_name_of_model[model] = name;
+      if (m_tables.count(name) == 0) m_tables[name] = read_table(folder / (name + ".txt"));
+    }
+    if (m_tables.empty()) throw std::runtime_error("there is no folds.txt in " + folder.string());
+  }
+  const Tree_table& of_model(const int number) const
+  {
+    return m_tables.at(m_name_of_model.at(number));
+  }
+
+private:
+  std::map<int, std::string> m_name_of_model;
+  std::map<std::string, Tree_table> m_tables;
+};
+
+/// Share of the pairs of elements across two regions that people put in one part, the mean over people.
+double agreement(const Model& model, const WCS::internal::Region_graph& graph, const int a,
+                 const int b)
+{
+  double sum = 0., size_a = 0., size_b = 0.; // a patch may have no element that it has most of
   for (const int p : graph.region(a).patches) size_a += model.patch_sizes[p];
   for (const int p : graph.region(b).patches) size_b += model.patch_sizes[p];
   for (const auto& human : model.humans)
   {
-    std::map<std::size_t, double> labels;
+    std::map<int, double> labels;
     for (const int p : graph.region(a).patches)
       for (const auto& [label, count] : human.of_patch[p]) labels[label] += count;
     for (const int p : graph.region(b).patches)
@@ -97,26 +115,32 @@ double agreement(const Patch_scores::Model& model, const WCS::internal::Region_g
         if (it != labels.end()) sum += it->second * count;
       }
   }
-  return sum / (size_a * size_b * static_cast<double>(model.humans.size()));
+  const double count = size_a * size_b * static_cast<double>(model.humans.size());
+  return count > 0. ? sum / count : 0.5;
 }
 
-/// A model with its regions, features and the tables of its category.
+/// A model with its regions and features.
 struct Trial
 {
-  Patch_scores::Model& model;
+  Model& model;
   WCS::internal::Region_graph graph;
   WCS::internal::Pair_features features;
   WCS::Merge_tree tree;
 
-  Trial(Patch_scores::Model& m, const WCS::Parameters& parameters)
+  Trial(Model& m, const WCS::Parameters& parameters)
     : model(m),
       graph(m.shape->points(), m.shape->graph, m.shape->patches, *m.shape->visibility, parameters),
       features(graph, m.shape->patches, m.shape->diameters), tree(m.shape->patches.size())
   {
     WCS::internal::set_signatures(graph, m.shape->patches, m.shape->diameters,
                                   WCS::internal::Histogram_scale());
-    graph.add_profiles(m.shape->points(), m.shape->graph, m.shape->patches, m.shape->diameters);
+    graph.add_shapes(m.shape->points(), m.shape->graph, m.shape->patches, m.shape->diameters);
+    graph.add_profiles(m.shape->points(), m.shape->graph, m.shape->patches);
   }
+  Trial(const Trial& other)
+    : model(other.model), graph(other.graph),
+      features(graph, model.shape->patches, model.shape->diameters), tree(other.tree)
+  {}
 };
 
 using Path_cost = std::function<double(int, int)>;
@@ -153,10 +177,9 @@ void write_samples(Trial& trial, const Path_cost& cost, std::ofstream& out)
 class Scores
 {
 public:
-  void add(const Patch_scores::Model& model, const std::vector<int>& regions)
+  void add(const Model& model, const double error, const std::vector<int>& regions)
   {
-    m_errors[SM::category_of_model(model.number)].push_back(
-        Patch_scores::rand_error(model, regions));
+    m_errors[model.category()].push_back(error);
     m_segments += 1. + *std::max_element(regions.begin(), regions.end());
     m_models += 1.;
   }
@@ -182,99 +205,146 @@ private:
   double m_segments = 0., m_models = 0.;
 };
 
-class Fitting
+void prepare(const std::filesystem::path& data, const std::string& variant,
+             const std::filesystem::path& folder, const WCS::Parameters& parameters)
 {
-public:
-  Fitting(const std::filesystem::path& data, const std::filesystem::path& tables) : m_data(data)
-  {
-    if (!tables.empty())
-      for (const std::string& name : SM::category_names())
-        m_tables.push_back(read_table(tables / (name + ".txt")));
-  }
+  std::filesystem::create_directories(folder);
+  const auto its = Shape_variants::variant_of_name(variant);
+  Patch_scores::for_each_number(data / "off", ".off",
+                                [&](const int n)
+                                {
+                                  Model model = Patch_scores::load(data, n, parameters, its);
+                                  Patch_scores::save(model, folder);
+                                });
+}
 
-  template <typename Visit>
-  void for_each_model(const Variant variant, const Visit& visit) const
-  {
-    for (int n = 1; n <= 400; ++n)
-      if (SM::is_in_benchmark(n) &&
-          std::filesystem::exists(m_data / "off" / (std::to_string(n) + ".off")))
-      {
-        Patch_scores::Model model = Patch_scores::load(m_data, n, m_parameters, variant);
-        Trial trial(model, m_parameters);
-        visit(trial);
-      }
-  }
+template <typename Visit>
+void for_each_saved(const std::filesystem::path& folder, const Visit& visit)
+{
+  Patch_scores::for_each_number(folder, ".bin",
+                                [&](const int n)
+                                {
+                                  Model model = Patch_scores::load_saved(folder, n, {});
+                                  visit(model);
+                                });
+}
 
-  void samples(const Variant variant, const std::filesystem::path& path) const
-  {
-    std::ofstream out(path, std::ios::binary);
-    for_each_model(variant, [&](Trial& trial) { write_samples(trial, path_cost(trial), out); });
-    if (!out.flush()) throw std::runtime_error("can't write " + path.string());
-  }
-
-  /// prints the scores at several thresholds, without a cut, and the default's.
-  void score(const Variant variant, const std::vector<double>& thresholds) const
-  {
-    std::vector<Scores> fitted(thresholds.size());
-    Scores plain;
-    for_each_model(variant,
-                   [&](const Trial& trial)
-                   {
-                     for (std::size_t i = 0; i < thresholds.size(); ++i)
-                     {
-                       Trial own(trial.model, m_parameters);
-                       fitted[i].add(trial.model, fitted_regions(own, thresholds[i]));
-                     }
-                     plain.add(trial.model,
-                               WCS::internal::regions_at(WCS::internal::merge_patches(
-                                                             *trial.model.shape, m_parameters, {}),
-                                                         WCS::Level::SEGMENTS));
-                   });
-    plain.print("default");
-    for (std::size_t i = 0; i < thresholds.size(); ++i)
-      fitted[i].print("threshold " + std::to_string(thresholds[i]));
-  }
-
-private:
-  /// the order in which regions are merged while samples are taken
-  Path_cost path_cost(Trial& trial) const
-  {
-    if (!m_tables.empty())
+/// the order in which regions are merged while samples are taken
+Path_cost path_cost(Trial& trial, const Tree_tables* tables, const WCS::Parameters& parameters)
+{
+  if (tables != nullptr)
+    return [&trial, table = tables->of_model(trial.model.number)](const int a, const int b)
     {
-      const Tree_table& table = m_tables[SM::category_of_model(trial.model.number)];
-      return [&trial, &table](const int a, const int b)
-      {
-        std::vector<float> features;
-        trial.features.compute(a, b, features);
-        return -table.trees()(features);
-      };
-    }
-    return [this, &trial](const int a, const int b)
-    {
-      const WCS::internal::Histogram_scale scale;
-      const WCS::internal::Region_cost cost(trial.graph, scale, m_parameters);
-      return cost(a, b, {0.5, 1., 0.5, 0.}, (std::numeric_limits<double>::max)());
+      std::vector<float> features;
+      trial.features.compute(a, b, features);
+      return -table.trees()(features);
     };
-  }
-
-  std::vector<int> fitted_regions(Trial& trial, const double threshold) const
+  return [&trial, &parameters](const int a, const int b)
   {
-    const auto trees = m_tables[SM::category_of_model(trial.model.number)].trees();
-    const WCS::internal::Fitted_cost cost(trial.features, trees);
-    const WCS::internal::Contraction_log log{trial.tree, nullptr};
-    WCS::internal::contract_fitted(trial.graph, cost, threshold, log);
-    WCS::Parameters parameters = m_parameters;
-    parameters.minimum_segment_share = 0.006;
     const WCS::internal::Histogram_scale scale;
-    WCS::internal::absorb_small_regions(
-        trial.graph, WCS::internal::Region_cost(trial.graph, scale, parameters), parameters, log);
-    return trial.graph.labels();
-  }
+    const WCS::internal::Region_cost cost(trial.graph, trial.model.shape->patches,
+                                          trial.model.shape->diameters, scale, parameters);
+    WCS::Merging_cost weights;
+    weights.visibility_weight = weights.diameter_weight = 0.5;
+    weights.concavity_weight = 1.;
+    return cost(a, b, weights, (std::numeric_limits<double>::max)());
+  };
+}
 
-  std::filesystem::path m_data;
-  std::vector<Tree_table> m_tables;
-  WCS::Parameters m_parameters;
-};
+void samples(const std::filesystem::path& folder, const std::filesystem::path& path,
+             const Tree_tables* tables)
+{
+  const WCS::Parameters parameters;
+  std::ofstream out(path, std::ios::binary);
+  for_each_saved(folder,
+                 [&](Model& model)
+                 {
+                   Trial trial(model, parameters);
+                   write_samples(trial, path_cost(trial, tables, parameters), out);
+                 });
+  if (!out.flush()) throw std::runtime_error("can't write " + path.string());
+}
+
+std::vector<int> fitted_regions(Trial& trial, const Tree_table& table, const double threshold)
+{
+  const auto trees = table.trees();
+  const WCS::internal::Fitted_cost cost(trial.features, trees);
+  const WCS::internal::Contraction_log log{trial.tree, nullptr};
+  WCS::internal::contract_fitted(trial.graph, cost, threshold, log);
+  const WCS::Parameters parameters = WCS::Parameters::fitted();
+  const WCS::internal::Histogram_scale scale;
+  WCS::internal::absorb_small_regions(
+      trial.graph,
+      WCS::internal::Region_cost(trial.graph, trial.model.shape->patches,
+                                 trial.model.shape->diameters, scale, parameters),
+      parameters, log);
+  return trial.graph.labels();
+}
+
+/// prints the scores at several thresholds and the default's.
+void score(const std::filesystem::path& folder, const Tree_tables& tables,
+           const std::vector<double>& thresholds, const bool with_cut)
+{
+  const WCS::Parameters parameters;
+  std::vector<Scores> fitted(thresholds.size());
+  Scores plain;
+  const auto error = [&](const Model& model, const std::vector<int>& regions)
+  {
+    return with_cut ? Patch_scores::rand_error_of_labels(
+                          model, Patch_scores::refined_labels(model, regions, parameters))
+                    : Patch_scores::rand_error(model, regions);
+  };
+  for_each_saved(
+      folder,
+      [&](Model& model)
+      {
+        const Trial fresh(model, parameters);
+        for (std::size_t i = 0; i < thresholds.size(); ++i)
+        {
+          Trial own(fresh);
+          const auto regions = fitted_regions(own, tables.of_model(model.number), thresholds[i]);
+          fitted[i].add(model, error(model, regions), regions);
+        }
+        const auto regions = WCS::internal::regions_at(
+            WCS::internal::merge_patches(*model.shape, parameters, {}), WCS::Level::SEGMENTS);
+        plain.add(model, error(model, regions), regions);
+      });
+  plain.print("default");
+  for (std::size_t i = 0; i < thresholds.size(); ++i)
+    fitted[i].print("threshold " + std::to_string(thresholds[i]));
+}
+
+int run(const std::vector<std::string>& arguments)
+{
+  const auto is = [&](const char* task, const std::size_t least)
+  { return !arguments.empty() && arguments[0] == task && arguments.size() > least; };
+  if (is("names", 0))
+    for (const auto& name : WCS::internal::pair_feature_names())
+      std::cout << name.name << ' ' << name.monotone << '\n';
+  else if (is("prepare", 3))
+  {
+    WCS::Parameters parameters;
+    for (std::size_t i = 4; i < arguments.size(); ++i)
+      Named_parameters::set_parameter(parameters, arguments[i]);
+    prepare(arguments[1], arguments[2], arguments[3], parameters);
+  }
+  else if (is("samples", 2))
+  {
+    const auto tables =
+        arguments.size() > 3 ? std::make_unique<Tree_tables>(arguments[3]) : nullptr;
+    samples(arguments[1], arguments[2], tables.get());
+  }
+  else if (is("score", 3) || is("score_cut", 3))
+  {
+    std::vector<double> thresholds;
+    for (std::size_t i = 3; i < arguments.size(); ++i)
+      thresholds.push_back(std::stod(arguments[i]));
+    score(arguments[1], Tree_tables(arguments[2]), thresholds, arguments[0] == "score_cut");
+  }
+  else
+    throw std::invalid_argument("see the head of fit_merge_cost.cpp for the calls");
+  return 0;
+}
 
 } // namespace
 
@@ -282,24 +352,7 @@ int main(int argc, char** argv)
 {
   try
   {
-    const std::string task = argc > 1 ? argv[1] : "";
-    if (task == "names")
-    {
-      for (const auto& name : WCS::internal::Pair_features::names())
-        std::cout << name.name << ' ' << name.monotone << '\n';
-      return 0;
-    }
-    if (task == "samples" && argc >= 5)
-      Fitting(argv[2], argc > 5 ? argv[5] : "").samples(variant_of_name(argv[3]), argv[4]);
-    else if (task == "score" && argc >= 6)
-    {
-      std::vector<double> thresholds;
-      for (int i = 5; i < argc; ++i) thresholds.push_back(std::atof(argv[i]));
-      Fitting(argv[2], argv[4]).score(variant_of_name(argv[3]), thresholds);
-    }
-    else
-      throw std::invalid_argument("see the head of fit_merge_cost.cpp for the calls");
-    return 0;
+    return run(std::vector<std::string>(argv + 1, argv + argc));
   }
   catch (const std::exception& error)
   {

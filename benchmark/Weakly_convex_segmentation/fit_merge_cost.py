@@ -4,11 +4,16 @@
 
 """Fits the merge cost of the `fitted` preset to labeled shapes and writes it as a header.
 
-    fit_merge_cost.py PROGRAM DATA_DIR WORK_DIR [--header FILE] [--passes 1] [--variants mesh,points]
+    fit_merge_cost.py PROGRAM DATA_DIR WORK_DIR [--header FILE] [--variants mesh,mesh:1,surface]
 
 PROGRAM is build/bin/fit_merge_cost, DATA_DIR holds off/ and seg/ as the Princeton benchmark has
-them. Needs Debian's python3-numpy and python3-xgboost. Cross-validation leaves out whole categories:
-a model is only ever scored by trees that saw no shape of its kind.
+them. Needs Debian's python3-numpy and python3-xgboost. WORK_DIR keeps the analyzed models and the
+samples: remove it after a change of the stages before the merging. A variant is a name that the
+program knows, and with :N another seed of its patches and random choices.
+
+Before the fit to all models, what it is worth is cross-validated twice (--protocols): `kinds` leaves
+out whole categories, so that a model is only ever scored by trees that saw no shape of its kind;
+`shapes` leaves out a fifth of each category, and tells what to expect on other shapes of these kinds.
 """
 
 import argparse
@@ -22,8 +27,9 @@ import xgboost
 CATEGORIES = ["Human", "Cup", "Glasses", "Airplane", "Ant", "Chair", "Octopus", "Table", "Teddy",
               "Hand", "Plier", "Fish", "Bird", "Armadillo", "Bust", "Mech", "Bearing", "Vase",
               "Fourleg"]
-FOLDS = 10
-BAGS = 4
+FOLDS = {"kinds": 10, "shapes": 5}
+BAGS = 5
+BAGS_OF_FOLDS = 2  # for a figure in a fraction of the time
 TREES = 70
 
 
@@ -42,15 +48,22 @@ def read_samples(path, features):
     return rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 3:]
 
 
-def train(samples, chosen, monotone):
+def fold_of(models, protocol):
+    kinds = category(models)
+    if protocol == "kinds":
+        return kinds % FOLDS[protocol]
+    return ((models.astype(int) - 1) % 20 // 2 + kinds) % FOLDS[protocol]
+
+
+def train(samples, chosen, monotone, bags):
     """returns the boosters of all bags, trained on the chosen rows."""
     models, weights, targets, x = samples
     weights = weights[chosen] * (chosen.sum() / weights[chosen].sum())
     data = xgboost.DMatrix(x[chosen], label=targets[chosen], weight=weights)
     options = {"objective": "binary:logistic", "max_depth": 4, "eta": 0.1, "lambda": 5,
-               "subsample": 0.5, "colsample_bytree": 0.3, "base_score": 0.5, "nthread": 1,
+               "subsample": 0.3, "colsample_bytree": 0.3, "base_score": 0.5, "nthread": 1,
                "tree_method": "hist", "monotone_constraints": tuple(monotone)}
-    return [xgboost.train({**options, "seed": bag}, data, TREES) for bag in range(BAGS)]
+    return [xgboost.train({**options, "seed": bag}, data, TREES) for bag in range(bags)]
 
 
 def flat_tree(root, scale):
@@ -89,18 +102,20 @@ def write_table(path, boosters):
 
 
 def lines_of(items, width=98):
-    line = " "
+    line = ""
     for item in items:
-        if len(line) + len(item) + 2 > width:
+        if len(line) + len(item) + 1 > width:
             yield line
-            line = " "
-        line += " " + item + ","
+            line = ""
+        line += item + ","
     yield line
 
 
-def float_literal(value):
-    text = f"{value:.3g}"
-    return text + ("f" if any(mark in text for mark in ".e") else ".f")
+def short_literal(feature, value):
+    """returns a constant that a float can be initialized with, in as few characters as can be"""
+    text = f"{value:.3g}" if feature >= 0 else f"{value:.4f}".rstrip("0")
+    text = text.replace("0.", ".", 1) if text.lstrip("-").startswith("0.") else text
+    return "0" if text in (".", "-.") else text
 
 
 def write_header(path, boosters, comment):
@@ -120,7 +135,7 @@ def write_header(path, boosters, comment):
                   "  static constexpr std::uint16_t roots[] = {\n")
         out.write("\n".join(lines_of(map(str, roots))) + "};\n")
         out.write("  static constexpr Tree_node nodes[] = {\n")
-        out.write("\n".join(lines_of(f"{{{f},{c},{float_literal(v)}}}" for f, c, v in nodes)) + "};\n")
+        out.write("\n".join(lines_of(f"{{{f},{c},{short_literal(f, v)}}}" for f, c, v in nodes)) + "};\n")
         out.write(f"  static constexpr Boosted_trees trees = {{nodes, roots, {len(roots)}, 0.}};\n"
                   "  return trees;\n}\n\n"
                   "} // namespace internal\n} // namespace Weakly_convex_segmentation\n"
@@ -128,49 +143,76 @@ def write_header(path, boosters, comment):
                   f"#endif // {guard}\n")
 
 
-def cross_validate(samples, monotone, work):
-    """writes for each category a table of trees that saw no shape of its fold."""
-    kinds = category(samples[0])
-    for fold in range(FOLDS):
-        left_out = np.isin(kinds, [c for c in range(len(CATEGORIES)) if c % FOLDS == fold])
-        boosters = train(samples, ~left_out, monotone)
-        for c, name in enumerate(CATEGORIES):
-            if c % FOLDS == fold:
-                write_table(work / f"{name}.txt", boosters)
+def cross_validate(samples, monotone, protocol, folder):
+    """writes a table of trees a fold, and which model is to be judged by which."""
+    folder.mkdir(parents=True, exist_ok=True)
+    fold = fold_of(samples[0], protocol)
+    for k in range(FOLDS[protocol]):
+        write_table(folder / f"{k}.txt", train(samples, fold != k, monotone, BAGS_OF_FOLDS))
+    models = np.unique(samples[0])
+    with open(folder / "folds.txt", "w", encoding="ascii") as out:
+        for model, k in zip(models, fold_of(models, protocol)):
+            out.write(f"{int(model)} {k}\n")
+
+
+def saved_models(options, variant):
+    """returns the folder of the analyzed models of a variant, made if there is none."""
+    folder = options.work / variant.replace(":", "_")
+    if not (folder / "complete").exists():
+        name, _, seed = variant.partition(":")
+        subprocess.run([options.program, "prepare", options.data, name, str(folder),
+                        f"seed={seed or 0}"], check=True)
+        (folder / "complete").touch()
+    return folder
+
+
+def samples_of(options, variant, features, tables=None):
+    folder = saved_models(options, variant)
+    path = folder / ("samples1.bin" if tables is None else "samples2.bin")
+    if not path.exists():
+        subprocess.run([options.program, "samples", str(folder), str(path),
+                        *([str(tables)] if tables else [])], check=True)
+    return read_samples(path, features)
+
+
+def joined(parts):
+    models, weights, targets, x = (np.concatenate(arrays) for arrays in zip(*parts))
+    known = np.isfinite(targets)
+    return models[known], weights[known], targets[known], x[known]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("data")
     parser.add_argument("work", type=pathlib.Path)
     parser.add_argument("--header", type=pathlib.Path)
-    parser.add_argument("--passes", type=int, default=1)
-    parser.add_argument("--variants", default="mesh,points,four_views")
-    parser.add_argument("--thresholds", default="0.62")
+    parser.add_argument("--passes", type=int, default=1, help="2: also pairs on the trees' own path")
+    parser.add_argument("--variants", default="mesh,mesh:1,surface,four_views")
+    parser.add_argument("--protocols", default="kinds,shapes")
+    parser.add_argument("--score", default="mesh", help="variants that are scored")
+    parser.add_argument("--thresholds", default="0.56,0.6,0.64,0.68")
     options = parser.parse_args()
-    options.work.mkdir(parents=True, exist_ok=True)
     names = feature_names(options.program)
     monotone = [int(direction) for _, direction in names]
-    parts = []
     variants = options.variants.split(",")
-    for number in range(options.passes):
-        for variant in variants:
-            path = options.work / f"samples{number + 1}_{variant}.bin"
-            if not path.exists():
-                tables = [str(options.work)] if number > 0 else []
-                subprocess.run([options.program, "samples", options.data, variant, str(path),
-                                *tables], check=True)
-            parts.append(read_samples(path, len(names)))
-        samples = tuple(np.concatenate(arrays) for arrays in zip(*parts))
-        print(len(samples[0]), "samples", flush=True)
-        cross_validate(samples, monotone, options.work)
-    for variant in variants:
-        print("cross-validated,", variant, flush=True)
-        subprocess.run([options.program, "score", options.data, variant, str(options.work),
-                        *options.thresholds.split(",")], check=True)
+    parts = [samples_of(options, v, len(names)) for v in variants]
+    if options.passes > 1:
+        tables = options.work / "tables_path"
+        cross_validate(joined(parts), monotone, "kinds", tables)
+        parts += [samples_of(options, v, len(names), tables) for v in variants]
+    samples = joined(parts)
+    print(len(samples[0]), "samples", flush=True)
+    for protocol in filter(None, options.protocols.split(",")):
+        tables = options.work / f"tables_{protocol}"
+        cross_validate(samples, monotone, protocol, tables)
+        for variant in options.score.split(","):
+            print(f"cross-validated over {protocol}, {variant}, borders refined", flush=True)
+            subprocess.run([options.program, "score_cut", str(saved_models(options, variant)),
+                            str(tables), *options.thresholds.split(",")], check=True)
     if options.header:
-        boosters = train(samples, np.ones(len(samples[0]), dtype=bool), monotone)
+        boosters = train(samples, np.ones(len(samples[0]), dtype=bool), monotone, BAGS)
         write_header(options.header, boosters,
                      f"from {len(samples[0])} pairs of regions of labeled shapes.")
 

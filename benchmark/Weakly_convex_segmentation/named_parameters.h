@@ -45,8 +45,12 @@ inline void add_cost(std::map<std::string, Setter>& setters, const std::string& 
   };
   add("visibility_weight", &Cost::visibility_weight);
   add("concavity_weight", &Cost::concavity_weight);
+  add("concavity_saturation", &Cost::concavity_saturation);
   add("diameter_weight", &Cost::diameter_weight);
-  add("threshold", &Cost::threshold);
+  add("smaller_closure_weight", &Cost::smaller_closure_weight);
+  add("larger_closure_weight", &Cost::larger_closure_weight);
+  add("seam_extent_weight", &Cost::seam_extent_weight);
+  add("diameter_spread_weight", &Cost::diameter_spread_weight);
 }
 
 /// all parameters that are one number; enumerations by their position
@@ -86,8 +90,8 @@ inline std::map<std::string, Setter> setters()
       {"diameter_rays", setter(&P::diameter_rays)},
       {"seam_concavity_tolerance", setter(&P::seam_concavity_tolerance)},
       {"missing_diameter_distance", setter(&P::missing_diameter_distance)},
-      {"small_region_share", setter(&P::small_region_share)},
-      {"small_region_exponent", setter(&P::small_region_exponent)},
+      {"fusion_threshold", setter(&P::fusion_threshold)},
+      {"merging_threshold", setter(&P::merging_threshold)},
       {"minimum_segment_share", setter(&P::minimum_segment_share)},
       {"fitted_fusion_threshold", setter(&P::fitted_fusion_threshold)},
       {"fitted_merging_threshold", setter(&P::fitted_merging_threshold)},
@@ -96,7 +100,6 @@ inline std::map<std::string, Setter> setters()
       {"data_exponent", setter(&P::data_exponent)},
       {"data_weight", setter(&P::data_weight)},
       {"smoothness_angle", setter(&P::smoothness_angle)}};
-  add_cost(result, "fusion_cost", &P::fusion_cost);
   add_cost(result, "merging_cost", &P::merging_cost);
   return result;
 }

@@ -325,8 +325,9 @@ BOOST_AUTO_TEST_CASE(extreme_parameters)
     p.diameter_cone_angle = pick({1e-3, 60., 179.});
     p.diameter_samples = count({1, 1000});
     p.diameter_rays = count({1, 16});
-    p.small_region_share = pick({0., 0.03, 1.});
-    p.small_region_exponent = pick({0., 100.});
+    p.merging_cost.larger_closure_weight = pick({0., 0.5, 1e6});
+    p.merging_cost.seam_extent_weight = pick({0., 0.4, 1e6});
+    p.fusion_threshold = pick({0., 1., 1e6});
     p.minimum_segment_share = pick({0., 0.01, 1.});
     p.maximum_number_of_segments = count({0, 1, 4});
     p.band_width = pick({0., 1e-6, 0.015, 1.});

@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(default_preset_finds_known_parts)
                   {"dumbbell", 2, 3, 0.2},
                   {"table", 5, 5, 0.03},
                   {"chair", 4, 9, 0.1},
-                  {"cup", 2, 8, 0.1},
+                  {"cup", 2, 8, 0.13},
                   {"airplane", 4, 10, 0.1},
                   {"pliers", 3, 8, 0.1},
                   {"hand", 5, 9, 0.1},

@@ -66,8 +66,9 @@ std::map<std::string, Range> ranges()
                                          {"diameter_rays", {1., 256.}},
                                          {"seam_concavity_tolerance", {0., 179.}},
                                          {"missing_diameter_distance", {0., 1e6}},
-                                         {"small_region_share", {0., 1.}},
-                                         {"small_region_exponent", {0., 100.}},
+                                         {"fusion_threshold", {0., 1e6}},
+                                         {"merging_threshold", {0., 1e6}},
+                                         {"merging_cost.concavity_saturation", {0., 1.}},
                                          {"minimum_segment_share", {0., 1.}},
                                          {"fitted_fusion_threshold", {0., 1.}},
                                          {"fitted_merging_threshold", {0., 1.}},
@@ -75,10 +76,9 @@ std::map<std::string, Range> ranges()
                                          {"data_exponent", {0., 100.}},
                                          {"data_weight", {0., 1e6}},
                                          {"smoothness_angle", {1e-3, 180.}}};
-  for (const char* cost : {"fusion_cost", "merging_cost"})
-    for (const char* part :
-         {"visibility_weight", "concavity_weight", "diameter_weight", "threshold"})
-      result[std::string(cost) + "." + part] = {0., 1e6};
+  for (const char* term : {"visibility", "concavity", "diameter", "smaller_closure",
+                           "larger_closure", "seam_extent", "diameter_spread"})
+    result["merging_cost." + std::string(term) + "_weight"] = {0., 1e6};
   return result;
 }
 
@@ -141,7 +141,7 @@ std::vector<Setting> settings()
           {"maximum_rays_per_pair", "default", "dumbbell", 12.},
           {"merging", "default", "dumbbell", 0.},
           {"diameter", "default", "dumbbell", 0.},
-          {"refinement", "default", "dumbbell", 0.},
+          {"refinement", "default", "hand", 0.},
           {"fusion", "paper", "dumbbell", 1.},
           {"signature_threshold", "paper", "hand", 0.9},
           {"concave_seam_ratio", "paper", "hand", 1e6, {"signature_threshold=1"}},
@@ -152,22 +152,22 @@ std::vector<Setting> settings()
           {"diameter_samples", "default", "dumbbell", 200.},
           {"diameter_rays", "default", "dumbbell", 3.},
           {"seam_concavity_tolerance", "default", "dumbbell", 60.},
-          {"fusion_cost.visibility_weight", "default", "dumbbell", 0.},
-          {"fusion_cost.concavity_weight", "default", "dumbbell", 0.},
-          {"fusion_cost.diameter_weight", "default", "dumbbell", 0.},
-          {"fusion_cost.threshold", "default", "dumbbell", 0.1},
-          {"merging_cost.visibility_weight", "default", "hand", 3.},
-          {"merging_cost.concavity_weight", "default", "hand", 0.},
-          {"merging_cost.diameter_weight", "default", "hand", 0.},
-          {"merging_cost.threshold", "default", "dumbbell", 100.},
+          {"merging_cost.visibility_weight", "default", "dumbbell", 0.},
+          {"merging_cost.concavity_weight", "default", "dumbbell", 0.},
+          {"merging_cost.concavity_saturation", "default", "dumbbell", 0.},
+          {"merging_cost.diameter_weight", "default", "dumbbell", 0.},
+          {"merging_cost.smaller_closure_weight", "default", "dumbbell", 0.},
+          {"merging_cost.larger_closure_weight", "default", "dumbbell", 0.},
+          {"merging_cost.seam_extent_weight", "default", "dumbbell", 0.},
+          {"merging_cost.diameter_spread_weight", "default", "dumbbell", 0.},
+          {"fusion_threshold", "default", "dumbbell", 0.1},
+          {"merging_threshold", "default", "dumbbell", 100.},
           {"missing_diameter_distance", "default", "dumbbell", 0., {"diameter_samples=30"}},
-          {"small_region_share", "default", "dumbbell", 0.5},
-          {"small_region_exponent", "default", "dumbbell", 1.},
           {"minimum_segment_share", "default", "dumbbell", 0.4},
           {"fitted_fusion_threshold", "fitted", "dumbbell", 0.01},
           {"fitted_merging_threshold", "fitted", "dumbbell", 1.},
           {"maximum_number_of_segments", "default", "dumbbell", 1.},
-          {"band_width", "default", "dumbbell", 0.1},
+          {"band_width", "default", "hand", 0.05},
           {"data_exponent", "default", "hand", 0., {"band_width=0.05"}},
           {"data_weight", "default", "hand", 100., {"band_width=0.05"}},
           {"smoothness_angle", "default", "hand", 90., {"band_width=0.05"}}};

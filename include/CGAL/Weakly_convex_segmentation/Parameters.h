@@ -27,7 +27,7 @@ enum class Level
 enum class Merging_rule
 {
   PAPER, ///< fusion thresholds, signature distance, seam sets and flat components (sections 4, 5)
-  COST,  ///< one weighted cost of visibility, seam concavity and volume, in two stages
+  COST,  ///< one weighted cost of visibility, seam concavity, volume and closure
   FITTED ///< a cost fitted to how people cut shapes of 19 kinds, see `Parameters::fitted()`
 };
 
@@ -59,20 +59,28 @@ enum class Refinement_rule
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// Weights of one stage of the `Merging_rule::COST` contraction.
+/// Weights of the terms of the `Merging_rule::COST` contraction, each at least 0.
 ///
-/// Two adjacent regions are merged while
-/// `(visibility_weight * (1 - v) + concavity_weight * c + diameter_weight * d) * f <= threshold`
-/// with `v` their mutual visibility and `c` the concave share of their seam (both in `[0, 1]`),
-/// `d` the earth mover's distance of their diameter histograms (natural logarithms of the
-/// diameter, at least 0), and `f` the leniency for small regions, see
-/// `Parameters::small_region_exponent`.
+/// The cost of merging two adjacent regions is the weighted sum of
+/// - their blindness: 1 - the mutual visibility `v`;
+/// - the concave share `c` of their seam, saturating: `c (1 - concavity_saturation c)`;
+/// - the earth mover's distance of their diameter histograms (natural logarithms of the diameter);
+/// - the closure of the smaller and of the larger one: the share of sampled points whose line inwards
+///   ends at the same region, which is high for complete parts;
+///
+/// less that of
+/// - the extent of the seam: its longest axis relative to that of the union, in about `[0, 1]`;
+/// - the spread of the diameters of the smaller region: standard deviation of the logarithm.
 struct Merging_cost
 {
-  double visibility_weight; ///< at least 0
-  double concavity_weight;  ///< at least 0
-  double diameter_weight;   ///< at least 0
-  double threshold;         ///< the highest cost that is merged; at least 0
+  double visibility_weight = 0.;
+  double concavity_weight = 0.;
+  double concavity_saturation = 0.; ///< in `[0, 1]`
+  double diameter_weight = 0.;
+  double smaller_closure_weight = 0.;
+  double larger_closure_weight = 0.;
+  double seam_extent_weight = 0.;
+  double diameter_spread_weight = 0.;
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -186,16 +194,14 @@ struct Parameters
   /// \name Contraction with `Merging_rule::COST`
   /// @{
 
-  Merging_cost fusion_cost = {1.333, 0.552, 0.145, 0.677}; ///< patches into components
-  Merging_cost merging_cost = {0.114, 3.05, 0.998, 0.584}; ///< components into segments
+  /// weights of the cost of a merge
+  Merging_cost merging_cost = {1., 2.17, 0.52, 0.786, 0.387, 0.347, 0.35, 0.453};
+  double fusion_threshold = 1.0;    ///< the highest cost at which patches become components
+  double merging_threshold = 1.469; ///< the highest cost at which components become segments
   /// Distance of signatures where one of the regions has no diameter; at least 0.
-  double missing_diameter_distance = 0.302;
-  /// Regions under this share of the points merge more easily: the cost of a pair is multiplied by
-  /// `(share / small_region_share)^small_region_exponent` of the smaller one; `[0, 1]`.
-  double small_region_share = 0.03;
-  double small_region_exponent = 0.079; ///< see `small_region_share`; at least 0
+  double missing_diameter_distance = 0.35;
   /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
-  double minimum_segment_share = 0.0092;
+  double minimum_segment_share = 0.0078;
 
   /// @}
   /// \name Contraction with `Merging_rule::FITTED`
@@ -205,7 +211,7 @@ struct Parameters
   /// is at most this; `[0, 1]`.
   double fitted_fusion_threshold = 0.12;
   /// The same for merging components into segments; `[0, 1]`.
-  double fitted_merging_threshold = 0.64;
+  double fitted_merging_threshold = 0.62;
 
   /// @}
   /// \name All contractions
@@ -280,10 +286,16 @@ inline void check_range(const char* name, const double value, const double low, 
 
 inline void check_cost(const std::string& name, const Merging_cost& cost)
 {
-  check_range((name + ".visibility_weight").c_str(), cost.visibility_weight, 0., 1e6);
-  check_range((name + ".concavity_weight").c_str(), cost.concavity_weight, 0., 1e6);
-  check_range((name + ".diameter_weight").c_str(), cost.diameter_weight, 0., 1e6);
-  check_range((name + ".threshold").c_str(), cost.threshold, 0., 1e6);
+  const auto check = [&name](const char* member, const double value, const double high)
+  { check_range((name + "." + member).c_str(), value, 0., high); };
+  check("visibility_weight", cost.visibility_weight, 1e6);
+  check("concavity_weight", cost.concavity_weight, 1e6);
+  check("concavity_saturation", cost.concavity_saturation, 1.);
+  check("diameter_weight", cost.diameter_weight, 1e6);
+  check("smaller_closure_weight", cost.smaller_closure_weight, 1e6);
+  check("larger_closure_weight", cost.larger_closure_weight, 1e6);
+  check("seam_extent_weight", cost.seam_extent_weight, 1e6);
+  check("diameter_spread_weight", cost.diameter_spread_weight, 1e6);
 }
 
 } // namespace internal
@@ -315,11 +327,10 @@ inline void Parameters::check() const
   check("diameter_samples", diameter_samples, 1., 1e6);
   check("diameter_rays", diameter_rays, 1., 256.);
   check("seam_concavity_tolerance", seam_concavity_tolerance, 0., 179.);
-  internal::check_cost("fusion_cost", fusion_cost);
   internal::check_cost("merging_cost", merging_cost);
   check("missing_diameter_distance", missing_diameter_distance, 0., 1e6);
-  check("small_region_share", small_region_share, 0., 1.);
-  check("small_region_exponent", small_region_exponent, 0., 100.);
+  check("fusion_threshold", fusion_threshold, 0., 1e6);
+  check("merging_threshold", merging_threshold, 0., 1e6);
   check("minimum_segment_share", minimum_segment_share, 0., 1.);
   check("fitted_fusion_threshold", fitted_fusion_threshold, 0., 1.);
   check("fitted_merging_threshold", fitted_merging_threshold, 0., 1.);

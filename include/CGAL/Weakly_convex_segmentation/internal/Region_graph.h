@@ -35,9 +35,11 @@ struct Region
   double size = 0.;         ///< number of points
   Vector3 center_sum;       ///< sum of the positions
   Diameter_histogram diameters;
-  Region_shape shape;            ///< only if the graph was asked for profiles
-  std::vector<Index> samples;    ///< diameter samples in the region, likewise
-  double inside_visibility = 0.; ///< sum over pairs of its patches, weighted by their sizes
+  Region_shape shape;         ///< only if the graph was asked for shapes
+  std::vector<Index> samples; ///< diameter samples in the region, likewise
+  double inside_visibility =
+      0.; ///< sum over pairs of its patches, weighted by their sizes; only if
+          ///< the graph was asked for profiles
 };
 
 /// The border between two adjacent regions: counts of the neighbor edges across it (the seam sets of
@@ -53,6 +55,7 @@ struct Seam
   double visibility_least = 1.; ///< the least visibility of a pair
   double visibility_low = 0.;   ///< weight of the pairs of visibility under 0.3
   bool visibility_known = false;
+  Seam_shape shape;     ///< only if the graph was asked for shapes
   Seam_profile profile; ///< only if the graph was asked for profiles
 
   void add_edges(const Seam& other)
@@ -61,6 +64,7 @@ struct Seam
     convex += other.convex;
     concave += other.concave;
     opposite += other.opposite;
+    shape += other.shape;
     profile += other.profile;
   }
   void add_visibility(const Seam& other)
@@ -117,9 +121,12 @@ public:
     return patch;
   }
 
-  /// measures shapes and seams for the fitted cost; before any merge.
+  /// measures the shapes of regions and seams for the default's and the fitted cost; before any merge.
+  void add_shapes(const Oriented_points& points, const Neighbor_graph& graph,
+                  const Patches& patches, const std::vector<Diameter_sample>& samples);
+  /// measures the concavity of seams at fixed distances for the fitted cost; before any merge.
   void add_profiles(const Oriented_points& points, const Neighbor_graph& graph,
-                    const Patches& patches, const std::vector<Diameter_sample>& samples);
+                    const Patches& patches);
 
   /// merges region `b` into region `a`, adjacent or not.
   void merge(const int a, const int b);
@@ -172,25 +179,46 @@ inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_
     }
 }
 
-inline void Region_graph::add_profiles(const Oriented_points& points, const Neighbor_graph& graph,
-                                       const Patches& patches,
-                                       const std::vector<Diameter_sample>& samples)
+inline void Region_graph::add_shapes(const Oriented_points& points, const Neighbor_graph& graph,
+                                     const Patches& patches,
+                                     const std::vector<Diameter_sample>& samples)
 {
-  m_has_profiles = true;
   for (std::size_t p = 0; p < patches.size(); ++p)
-  {
-    m_regions[p].inside_visibility = m_patch_sizes[p] * m_patch_sizes[p]; // patches are near convex
     for (const Index i : patches.members[p])
       m_regions[p].shape.add(points.positions[i], points.normals[i], graph.spacing[i]);
-  }
   for (std::size_t s = 0; s < samples.size(); ++s)
     m_regions[patches.of_point[samples[s].point]].samples.push_back(static_cast<Index>(s));
-  const Smoothed_borders borders(points, graph, patches, {0.015f, 0.03f});
   for (Index i = 0; i < graph.size(); ++i)
     for (const Neighbor& edge : graph[i])
     {
       const int a = patches.of_point[i], b = patches.of_point[edge.point];
-      if (a != b) m_seams[a][b].profile.add_edge(borders, graph, i, edge);
+      if (a != b)
+        m_seams[a][b].shape.add(points.positions[i], points.normals[i],
+                                0.5f * (graph.spacing[i] + graph.spacing[edge.point]));
+    }
+  // both ends of an edge belong to the seam, whichever of its regions it is looked at from
+  for (std::size_t a = 0; a < m_seams.size(); ++a)
+    for (auto& [b, seam] : m_seams[a])
+      if (static_cast<int>(a) < b)
+      {
+        Seam& back = m_seams[b].at(static_cast<int>(a));
+        seam.shape += back.shape;
+        back.shape = seam.shape;
+      }
+}
+
+inline void Region_graph::add_profiles(const Oriented_points& points, const Neighbor_graph& graph,
+                                       const Patches& patches)
+{
+  m_has_profiles = true;
+  for (std::size_t p = 0; p < patches.size(); ++p) // patches are near convex
+    m_regions[p].inside_visibility = m_patch_sizes[p] * m_patch_sizes[p];
+  const Smoothed_borders borders(points, graph, patches, {0.015f, 0.03f, 0.06f});
+  for (Index i = 0; i < graph.size(); ++i)
+    for (const Neighbor& edge : graph[i])
+    {
+      const int a = patches.of_point[i], b = patches.of_point[edge.point];
+      if (a != b) m_seams[a][b].profile.add_edge(borders, i, edge);
     }
 }
 

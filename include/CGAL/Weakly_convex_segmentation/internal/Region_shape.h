@@ -18,7 +18,7 @@
 #include <vector>
 
 // Additive statistics of regions and of seams beyond those that the paper's criteria need: the
-// fitted merge cost judges by them.
+// default's and the fitted merge cost judge by them.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -53,27 +53,50 @@ struct Region_shape
   }
 };
 
+/// Sums over the neighbor edges across a seam, each seen from both ends.
+struct Seam_shape
+{
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< of the edges' ends
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d position_squares = Eigen::Matrix3d::Zero();
+  double length = 0.; ///< sum of the spacing at the edges, proportional to the length
+
+  void add(const Vector3& p, const Vector3& n, const float spacing)
+  {
+    const Eigen::Vector3d x(p.x, p.y, p.z);
+    position += x;
+    normal += Eigen::Vector3d(n.x, n.y, n.z);
+    position_squares += x * x.transpose();
+    length += static_cast<double>(spacing);
+  }
+  Seam_shape& operator+=(const Seam_shape& other)
+  {
+    position += other.position;
+    normal += other.normal;
+    position_squares += other.position_squares;
+    length += other.length;
+    return *this;
+  }
+};
+
 /// Sums over the neighbor edges across a seam of the concavity seen at a fixed distance: between the
 /// mean normals of either side within a radius, which does not depend on the sampling.
 struct Seam_profile
 {
-  static constexpr std::size_t number_of_radii = 2;
+  static constexpr std::size_t number_of_radii = 3;
   struct At_radius
   {
     double signed_sum = 0., positive_sum = 0.;        ///< radians
     double over_15 = 0., over_30 = 0., under_20 = 0.; ///< edges over 15, 30, under -20 degrees
   };
   std::array<At_radius, number_of_radii> radii;
-  double length = 0.;        ///< sum of the spacing at the edges, proportional to the length
   double edge_signed = 0.;   ///< sum of the edges' own concavity, radians
   double edge_positive = 0.; ///< sum of min(1, concavity) where positive
 
   /// adds one neighbor edge across the seam, with the smoothed surfaces at its ends.
   template <typename Borders>
-  void add_edge(const Borders& borders, const Neighbor_graph& graph, const Index i,
-                const Neighbor& edge)
+  void add_edge(const Borders& borders, const Index i, const Neighbor& edge)
   {
-    length += 0.5 * (graph.spacing[i] + graph.spacing[edge.point]);
     edge_signed += edge.concavity;
     edge_positive += (std::min)(1.f, (std::max)(0.f, edge.concavity));
     for (std::size_t r = 0; r < number_of_radii; ++r)
@@ -96,7 +119,6 @@ struct Seam_profile
       radii[r].over_30 += other.radii[r].over_30;
       radii[r].under_20 += other.radii[r].under_20;
     }
-    length += other.length;
     edge_signed += other.edge_signed;
     edge_positive += other.edge_positive;
     return *this;
@@ -178,27 +200,48 @@ private:
   std::vector<std::array<Mean_surface, Seam_profile::number_of_radii>> m_means;
 };
 
+/// Axes of a cloud of points by its covariance.
+struct Axes
+{
+  Eigen::Vector3d center;
+  Eigen::Vector3d lengths;   ///< standard deviations, ascending
+  Eigen::Vector3d direction; ///< of the longest
+
+  Axes(const Eigen::Vector3d& sum, const Eigen::Matrix3d& squares, const double count)
+    : center(sum / count)
+  {
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(squares / count - center * center.transpose());
+    lengths = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
+    direction = solver.eigenvectors().col(2);
+  }
+};
+
+/// standard deviation along the longest axis
+inline double longest_axis(const Eigen::Vector3d& sum, const Eigen::Matrix3d& squares,
+                           const double count)
+{
+  const Eigen::Vector3d center = sum / count;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(squares / count - center * center.transpose(), Eigen::EigenvaluesOnly);
+  return std::sqrt((std::max)(1e-24, solver.eigenvalues()[2]));
+}
+
 /// Shape of a region as ratios in [0, 1].
 struct Shape_ratios
 {
-  double middle_axis = 0., short_axis = 0.; ///< square roots of covariance, relative to the longest
+  double middle_axis = 0., short_axis = 0.; ///< standard deviations, relative to the longest
   double normal_mean = 0.;  ///< length of the mean normal: 1 for a plane, 0 for a closed surface
   double normal_least = 0.; ///< least eigenvalue of the mean squared normals: 0 for a cylinder
-  double long_axis = 0.;    ///< standard deviation along the longest axis
 };
 
-inline Shape_ratios shape_ratios(const Region_shape& shape, const double size)
+inline Shape_ratios shape_ratios(const Region_shape& shape, const Axes& axes, const double size)
 {
-  const Eigen::Vector3d mean = shape.position / size;
-  const Eigen::Matrix3d covariance = shape.position_squares / size - mean * mean.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d axes = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
   solver.computeDirect(shape.normal_squares / size, Eigen::EigenvaluesOnly);
   Shape_ratios ratios;
-  ratios.long_axis = axes[2];
-  ratios.middle_axis = axes[1] / axes[2];
-  ratios.short_axis = axes[0] / axes[2];
+  ratios.middle_axis = axes.lengths[1] / axes.lengths[2];
+  ratios.short_axis = axes.lengths[0] / axes.lengths[2];
   ratios.normal_mean = shape.normal.norm() / size;
   ratios.normal_least = (std::max)(0., solver.eigenvalues()[0]);
   return ratios;

@@ -21,14 +21,13 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// returns how clearly one of the hand-made costs, the last two features, speaks for the merge; in
-/// [-1, 1]. Trees alone err on kinds of shape that they never saw; with the prior they do so less.
+/// returns how clearly the hand-made cost, the last feature, speaks for the merge; in [-1, 1]. Trees
+/// alone err on kinds of shape that they never saw; with the prior they do so less.
 inline double hand_made_vote(const std::vector<float>& features)
 {
-  constexpr double fusion_threshold = 0.677, merging_threshold = 0.584, certain = 0.1;
-  const double fusion = fusion_threshold - static_cast<double>(features[features.size() - 2]);
-  const double merging = merging_threshold - static_cast<double>(features.back());
-  return (std::max)(-1., (std::min)(1., (std::max)(fusion, merging) / certain));
+  constexpr double threshold = 1.4, certain = 0.5;
+  const double vote = (threshold - static_cast<double>(features.back())) / certain;
+  return (std::max)(-1., (std::min)(1., vote));
 }
 
 /// The cost of a pair: one minus the probability that people put it in one part.
@@ -45,7 +44,7 @@ public:
   }
 
 private:
-  static constexpr double prior_weight = 0.5;
+  static constexpr double prior_weight = 0.75;
   Pair_features& m_features;
   const Boosted_trees& m_trees;
   mutable std::vector<float> m_values; // kept between calls, against an allocation each

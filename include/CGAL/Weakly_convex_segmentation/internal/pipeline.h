@@ -88,26 +88,28 @@ inline void merge_by_cost(Shape_analysis& shape, Region_graph& graph, const Para
   Histogram_scale scale;
   scale.bins = parameters.histogram_bins;
   set_signatures(graph, shape.patches, shape.diameters, scale);
-  const Region_cost cost(graph, scale, parameters);
+  graph.add_shapes(shape.points(), shape.graph, shape.patches, shape.diameters);
+  const Region_cost cost(graph, shape.patches, shape.diameters, scale, parameters);
   control.stage(Stage::FUSION,
                 [&]
                 {
-                  contract_by_cost(graph, cost, parameters.fusion_cost, log);
+                  contract_by_cost(graph, cost, parameters.merging_cost,
+                                   parameters.fusion_threshold, log);
                   log.tree.set_fused();
                   return graph.number_of_regions();
                 });
-  control.stage(Stage::MERGING,
-                [&]
-                {
-                  contract_by_cost(graph, cost, parameters.merging_cost, log);
-                  absorb_small_regions(graph, cost, parameters, log);
-                  // no more lines of sight for what lies beyond the segments
-                  return finish_merging(
-                      graph,
-                      [&](const int a, const int b)
-                      { return cost.blind(a, b, parameters.merging_cost); },
-                      parameters, log);
-                });
+  control.stage(
+      Stage::MERGING,
+      [&]
+      {
+        contract_by_cost(graph, cost, parameters.merging_cost, parameters.merging_threshold, log);
+        absorb_small_regions(graph, cost, parameters, log);
+        // no more lines of sight for what lies beyond the segments
+        return finish_merging(
+            graph,
+            [&](const int a, const int b) { return cost.blind(a, b, parameters.merging_cost); },
+            parameters, log);
+      });
 }
 
 /// fusion and merging by the fitted cost (sections 4 and 5).
@@ -116,7 +118,8 @@ inline void merge_fitted(Shape_analysis& shape, Region_graph& graph, const Param
 {
   const Histogram_scale scale;
   set_signatures(graph, shape.patches, shape.diameters, scale);
-  graph.add_profiles(shape.points(), shape.graph, shape.patches, shape.diameters);
+  graph.add_shapes(shape.points(), shape.graph, shape.patches, shape.diameters);
+  graph.add_profiles(shape.points(), shape.graph, shape.patches);
   Pair_features features(graph, shape.patches, shape.diameters);
   const Fitted_cost cost(features, fitted_trees());
   control.stage(Stage::FUSION,
@@ -130,8 +133,9 @@ inline void merge_fitted(Shape_analysis& shape, Region_graph& graph, const Param
                 [&]
                 {
                   contract_fitted(graph, cost, parameters.fitted_merging_threshold, log);
-                  absorb_small_regions(graph, Region_cost(graph, scale, parameters), parameters,
-                                       log);
+                  absorb_small_regions(
+                      graph, Region_cost(graph, shape.patches, shape.diameters, scale, parameters),
+                      parameters, log);
                   return finish_merging(
                       graph, [&](const int a, const int b) { return cost(a, b); }, parameters, log);
                 });

@@ -141,6 +141,9 @@ public:
       m_known[key(missing[i].first, missing[i].second)] = ratios[i];
   }
 
+  /// takes a ratio that was computed before.
+  void remember(const int a, const int b, const float ratio) { m_known[key(a, b)] = ratio; }
+
   /// number of pairs of patches that were asked for so far
   std::size_t known_pairs() const { return m_known.size(); }
 
