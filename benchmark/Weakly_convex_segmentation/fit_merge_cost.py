@@ -112,10 +112,18 @@ def lines_of(items, width=98):
 
 
 def short_literal(feature, value):
-    """returns a constant that a float can be initialized with, in as few characters as can be"""
+    """returns a float constant in as few characters as can be; without the suffix it would be a double,
+    whose conversion is no constant expression under -frounding-math, which CGAL's users compile with"""
     text = f"{value:.3g}" if feature >= 0 else f"{value:.4f}".rstrip("0")
     text = text.replace("0.", ".", 1) if text.lstrip("-").startswith("0.") else text
-    return "0" if text in (".", "-.") else text
+    if text in (".", "-.", "0", "-0"):
+        return "0.f"
+    return text + ("f" if any(mark in text for mark in ".e") else ".f")
+
+
+def short_node(feature, child, value):
+    literal = short_literal(feature, value)
+    return f"{{{literal}}}" if feature < 0 else f"{{{literal},{feature},{child}}}"
 
 
 def write_header(path, boosters, comment):
@@ -135,7 +143,7 @@ def write_header(path, boosters, comment):
                   "  static constexpr std::uint16_t roots[] = {\n")
         out.write("\n".join(lines_of(map(str, roots))) + "};\n")
         out.write("  static constexpr Tree_node nodes[] = {\n")
-        out.write("\n".join(lines_of(f"{{{f},{c},{short_literal(f, v)}}}" for f, c, v in nodes)) + "};\n")
+        out.write("\n".join(lines_of(short_node(*node) for node in nodes)) + "};\n")
         out.write(f"  static constexpr Boosted_trees trees = {{nodes, roots, {len(roots)}, 0.}};\n"
                   "  return trees;\n}\n\n"
                   "} // namespace internal\n} // namespace Weakly_convex_segmentation\n"

@@ -19,10 +19,11 @@ namespace internal {
 /// A node of a tree in an array: the children of an inner node are `child` and `child + 1`.
 struct Tree_node
 {
-  std::int16_t feature; ///< -1 for a leaf
-  std::int16_t child;   ///< offset from this node to the first child, which holds what is below the
-                        ///< value; negative if features that are missing go to the second child
-  float value;          ///< threshold of an inner node, summand of a leaf
+  float value;               ///< threshold of an inner node, summand of a leaf
+  std::int16_t feature = -1; ///< -1 for a leaf
+  std::int16_t child =
+      0; ///< offset from this node to the first child, which holds what is below the
+         ///< value; negative if features that are missing go to the second child
 };
 
 /// Nodes of all trees; a tree begins behind the last leaf of the one before.
