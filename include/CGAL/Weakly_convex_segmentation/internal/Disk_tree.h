@@ -19,7 +19,7 @@
 
 // Every point as an oriented disk (section 3, "Weakly-convex parts"), in a bounding volume hierarchy of
 // four children a node and four disks a leaf, so that a line of sight is tested against four at once.
-// CGAL's AABB tree, with lean traits in single precision, took three times as long.
+// CGAL's AABB tree, with lean traits in single precision, took nearly twice as long.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -17,7 +17,7 @@
 #include <vector>
 
 // Nearest neighbors by a k-d tree of our own: single precision, points in leaves of two times four, so
-// that four distances are computed at once. CGAL's k-d tree takes about twice as long.
+// that four distances are computed at once. CGAL's k-d tree takes longer for the same neighbors.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
