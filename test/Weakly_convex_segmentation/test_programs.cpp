@@ -307,9 +307,9 @@ BOOST_AUTO_TEST_CASE(what_can_not_be_read_or_written_is_refused)
   folder.write("empty.ply", "");
   folder.write("garbage.ply", "ply\nthis is none");
   folder.write("garbage.stl", "\x01\x02\x03 and more that is none");
-  folder.write("a.txt", "0 0 0\n");
+  folder.write("a.doc", "0 0 0\n");
   for (const std::string name : {"missing.off", "missing\nline.off", "cut.off", "empty.ply",
-                                 "garbage.ply", "garbage.stl", "a.txt", "."})
+                                 "garbage.ply", "garbage.stl", "a.doc", "."})
     check_failure(folder, {name, "-o", "b.ply", "--labels", "b.seg"});
   check_failure(folder, {"a.off", "-o", "none/b.ply"});
   check_failure(folder, {"a.off", "-o", "b.ply", "--stats", "none/b.json"});
