@@ -119,7 +119,7 @@ struct Parameters
   /// @{
 
   /// wanted number of patches; `[1, 1000]`
-  std::size_t number_of_patches = 80;
+  std::size_t number_of_patches = 88;
   /// number of supervoxels that the spectral clustering works on: it bounds the eigenproblem;
   /// `[1, 20000]`
   std::size_t number_of_supervoxels = 1500;

@@ -4,9 +4,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LINES_OF_SIGHT_CLUSTERING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LINES_OF_SIGHT_CLUSTERING_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/k_means.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
-#include <CGAL/Weakly_convex_segmentation/internal/spectral_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
 
 #include <Eigen/Core>

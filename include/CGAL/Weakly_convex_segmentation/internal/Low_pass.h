@@ -1,0 +1,195 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LOW_PASS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LOW_PASS_H
+
+#include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// The space of the lowest eigenvectors of a graph's normalized Laplacian, by a polynomial filter.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// A weighted edge; each undirected edge is listed once.
+struct Weighted_edge
+{
+  Index first, second;
+  double weight;
+};
+
+/// The matrix D^-1/2 W D^-1/2 of a weighted graph, whose highest eigenvectors are the lowest ones of
+/// the normalized Laplacian. Its spectrum lies in [-1, 1].
+struct Normalized_graph
+{
+  struct Edge
+  {
+    Index node;
+    float weight;
+  };
+  std::vector<std::size_t> first; ///< begin of each node's row in `edges`; size n + 1
+  std::vector<Edge> edges;
+
+  Normalized_graph(const std::size_t size, const std::vector<Weighted_edge>& undirected)
+    : first(size + 1, 0), edges(2 * undirected.size())
+  {
+    std::vector<double> degree(size, 0.);
+    for (const Weighted_edge& e : undirected)
+      for (const Index node : {e.first, e.second})
+      {
+        degree[node] += e.weight;
+        ++first[node + 1];
+      }
+    for (std::size_t i = 0; i < size; ++i) first[i + 1] += first[i];
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for (const Weighted_edge& e : undirected)
+    {
+      const float w = static_cast<float>(e.weight / std::sqrt(degree[e.first] * degree[e.second]));
+      edges[next[e.first]++] = {e.second, w};
+      edges[next[e.second]++] = {e.first, w};
+    }
+  }
+  std::size_t size() const { return first.size() - 1; }
+};
+
+/// A dense matrix whose rows are filled up to a multiple of four numbers.
+class Row_matrix
+{
+public:
+  using Row = Eigen::Map<Eigen::ArrayXf>;
+  using Constant_row = Eigen::Map<const Eigen::ArrayXf>;
+
+  Row_matrix(const std::size_t rows, const std::size_t columns)
+    : m_rows(rows), m_columns((columns + 3) / 4 * 4), m_values(rows * m_columns, 0.f)
+  {}
+  std::size_t rows() const { return m_rows; }
+  std::size_t columns() const { return m_columns; }
+  Row row(const std::size_t i)
+  {
+    return Row(m_values.data() + i * m_columns, static_cast<Eigen::Index>(m_columns));
+  }
+  Constant_row row(const std::size_t i) const
+  {
+    return Constant_row(m_values.data() + i * m_columns, static_cast<Eigen::Index>(m_columns));
+  }
+
+private:
+  std::size_t m_rows, m_columns;
+  std::vector<float> m_values;
+};
+
+/// returns the coefficients of the Chebyshev polynomials of a step from 0 to 1 at cos(`angle`), damped
+/// (Jackson) so that the filter is monotone.
+inline std::vector<float> step_coefficients(const double angle, const std::size_t degree)
+{
+  const double pi = std::acos(-1.), n = static_cast<double>(degree) + 2.;
+  std::vector<float> coefficients(degree + 1);
+  for (std::size_t j = 0; j <= degree; ++j)
+  {
+    const double x = static_cast<double>(j);
+    const double damping =
+        ((n - x) * std::cos(pi * x / n) + std::sin(pi * x / n) / std::tan(pi / n)) / n;
+    coefficients[j] =
+        static_cast<float>(damping * (j == 0 ? angle / pi : 2. * std::sin(x * angle) / (x * pi)));
+  }
+  return coefficients;
+}
+
+/// returns sum of c_j T_j(graph) times `rows`, by the recurrence of Chebyshev's polynomials T_j.
+inline Row_matrix filter_rows(const Normalized_graph& graph, const std::vector<float>& coefficients,
+                              Row_matrix rows)
+{
+  Row_matrix sum(rows.rows(), rows.columns()), before(rows.rows(), rows.columns());
+  for (std::size_t i = 0; i < rows.rows(); ++i) sum.row(i) = coefficients[0] * rows.row(i);
+  Eigen::ArrayXf next(static_cast<Eigen::Index>(rows.columns()));
+  for (std::size_t j = 1; j < coefficients.size(); ++j)
+  {
+    const float factor = j == 1 ? 1.f : 2.f;
+    for (std::size_t i = 0; i < rows.rows(); ++i)
+    {
+      next = -before.row(i);
+      for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
+        next += (factor * graph.edges[e].weight) * rows.row(graph.edges[e].node);
+      before.row(i) = next;
+      sum.row(i) += coefficients[j] * next;
+    }
+    std::swap(before, rows);
+  }
+  return sum;
+}
+
+/// makes the columns orthonormal, by a Cholesky factorization of their products: each row becomes its
+/// coordinates in that basis.
+inline void orthonormalize_columns(Row_matrix& rows)
+{
+  const std::size_t n = rows.columns();
+  Row_matrix factor(n, n); // products of columns, then their lower triangular factor, by column
+  for (std::size_t i = 0; i < rows.rows(); ++i)
+    for (std::size_t a = 0; a < n; ++a)
+    {
+      const float x = rows.row(i)[static_cast<Eigen::Index>(a)];
+      if (x != 0.f) factor.row(a) += x * rows.row(i);
+    }
+  float trace = 0.f;
+  for (std::size_t a = 0; a < n; ++a) trace += factor.row(a)[static_cast<Eigen::Index>(a)];
+  const float least = 1e-6f * trace / static_cast<float>(n);
+  for (std::size_t a = 0; a < n; ++a)
+  {
+    float& pivot = factor.row(a)[static_cast<Eigen::Index>(a)];
+    // a column that depends on those before would only bring rounding: it vanishes
+    const float scale = pivot > least ? 1.f / std::sqrt(pivot) : 0.f;
+    factor.row(a) *= scale;
+    for (std::size_t b = a + 1; b < n; ++b)
+      factor.row(b) -= factor.row(a)[static_cast<Eigen::Index>(b)] * factor.row(a);
+  }
+  for (std::size_t i = 0; i < rows.rows(); ++i)
+  {
+    auto row = rows.row(i);
+    for (std::size_t a = 0; a < n; ++a)
+    {
+      const Eigen::Index at = static_cast<Eigen::Index>(a),
+                         rest = static_cast<Eigen::Index>(n - a - 1);
+      const float pivot = factor.row(a)[at];
+      const float x = row[at] = pivot > 0.f ? row[at] / pivot : 0.f;
+      row.tail(rest) -= x * factor.row(a).tail(rest);
+    }
+  }
+}
+
+/// returns the nodes' coordinates, of unit length, in a space of `count` dimensions near that of the
+/// lowest eigenvectors: what is left of the indicators of `cells` when high frequencies are taken away.
+inline Row_matrix low_pass_rows(const Normalized_graph& graph, const std::vector<Index>& cells,
+                                const std::size_t count)
+{
+  constexpr std::size_t degree = 36; // the step is then about as wide as a tenth of the spectrum
+  Row_matrix rows(graph.size(), count);
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    rows.row(i)[static_cast<Eigen::Index>(cells[i])] = 1.f;
+  // of an even mesh of triangles the k lowest of n eigenvalues are up to about 3.6 k / n; the step is
+  // wide, and what passes beyond it must not outweigh them
+  const double share = static_cast<double>(count) / static_cast<double>(graph.size());
+  const double angle = std::acos(1. - (std::min)(1.5, 2.5 * share));
+  rows = filter_rows(graph, step_coefficients(angle, degree), std::move(rows));
+  orthonormalize_columns(rows);
+  for (std::size_t i = 0; i < graph.size(); ++i)
+  {
+    const float l = std::sqrt(rows.row(i).square().sum());
+    if (l > 0.f) rows.row(i) /= l;
+  }
+  return rows;
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LOW_PASS_H
