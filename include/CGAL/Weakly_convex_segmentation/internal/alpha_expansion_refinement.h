@@ -226,21 +226,21 @@ inline void expand_labels(const Neighbor_graph& graph, const Parameters& paramet
 
 /// moves the borders by the rule that is asked for.
 inline void move_borders(const Neighbor_graph& graph, const Parameters& parameters,
-                         std::vector<int>& labels)
+                         std::vector<int>& labels, const bool parallel)
 {
   if (parameters.refinement == Refinement_rule::SEAM_CUTS)
-    cut_seams(graph, parameters, labels);
+    cut_seams(graph, parameters, labels, parallel);
   else
     expand_labels(graph, parameters, labels);
 }
 
 /// moves the borders and removes what islands that leaves; returns the number of points that changed.
 inline std::size_t refine_borders(const Neighbor_graph& graph, const Parameters& parameters,
-                                  std::vector<int>& labels)
+                                  std::vector<int>& labels, const bool parallel = false)
 {
   if (parameters.refinement == Refinement_rule::NONE || parameters.band_width == 0.) return 0;
   const std::vector<int> before = labels;
-  move_borders(graph, parameters, labels);
+  move_borders(graph, parameters, labels, parallel);
   remove_islands(graph, labels);
   std::size_t moved = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) moved += labels[i] != before[i] ? 1 : 0;

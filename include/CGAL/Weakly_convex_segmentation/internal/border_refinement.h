@@ -6,6 +6,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
 
 #include <CGAL/license/Surface_mesh_segmentation.h>
@@ -90,66 +91,91 @@ public:
   }
 };
 
-/// cuts one seam: `nodes` are the band points of labels `a` and `b` that face each other.
-inline void cut_seam(const Neighbor_graph& graph, const std::vector<Band_point>& band, const int a,
-                     const int b, const std::vector<Index>& nodes, const std::vector<int>& before,
-                     std::vector<Index>& node_of_point, const Parameters& parameters,
+/// The band as what the cuts need: each point in it belongs to one seam, those of other seams and
+/// beyond the band keep their label during the cut.
+struct Seams
+{
+  struct Node
+  {
+    Index seam = static_cast<Index>(-1);
+    Index number = 0; ///< within the seam
+  };
+  std::vector<Band_point> band;
+  std::vector<Node> nodes; ///< one a point
+  std::vector<std::pair<int, int>> labels;
+  std::vector<std::vector<Index>> members;
+};
+
+/// returns the seams: the points that are nearer to the border between two labels than to any other.
+inline Seams find_seams(const Neighbor_graph& graph, const std::vector<int>& labels,
+                        const float width)
+{
+  Seams seams;
+  seams.band = find_band(graph, labels, width);
+  std::map<std::pair<int, int>, std::vector<Index>> members;
+  for (Index i = 0; i < graph.size(); ++i)
+    if (seams.band[i].other >= 0) members[std::minmax(labels[i], seams.band[i].other)].push_back(i);
+  seams.nodes.resize(graph.size());
+  for (auto& [pair, points] : members)
+  {
+    for (std::size_t n = 0; n < points.size(); ++n)
+      seams.nodes[points[n]] = {static_cast<Index>(seams.members.size()), static_cast<Index>(n)};
+    seams.labels.push_back(pair);
+    seams.members.push_back(std::move(points));
+  }
+  return seams;
+}
+
+/// cuts one seam; `before` are the labels of all points before any cut.
+inline void cut_seam(const Neighbor_graph& graph, const Seams& seams, const Index seam,
+                     const std::vector<int>& before, const Parameters& parameters,
                      std::vector<int>& labels)
 {
   const Border_cost border(parameters.smoothness_angle);
-  constexpr Index outside = static_cast<Index>(-1);
+  const auto [a, b] = seams.labels[seam];
+  const std::vector<Index>& points = seams.members[seam];
   // a fresh graph each time: MaxFlow::Graph::clear() of CGAL 5.5 does not reset the flow
   ::MaxFlow::Graph flow;
   std::vector<::MaxFlow::Graph::node_id> ids;
-  for (std::size_t n = 0; n < nodes.size(); ++n)
+  for (std::size_t n = 0; n < points.size(); ++n) ids.push_back(flow.add_node());
+  for (std::size_t n = 0; n < points.size(); ++n)
   {
-    node_of_point[nodes[n]] = static_cast<Index>(n);
-    ids.push_back(flow.add_node());
-  }
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-  {
-    const Index i = nodes[n];
+    const Index i = points[n];
     // equations 3 and 4: a point far from the border is dear to move
-    const double move = parameters.data_weight * std::pow(band[i].distance / parameters.band_width,
-                                                          parameters.data_exponent);
+    const double move =
+        parameters.data_weight *
+        std::pow(seams.band[i].distance / parameters.band_width, parameters.data_exponent);
     double cost_of_a = before[i] == a ? 0. : move, cost_of_b = before[i] == b ? 0. : move;
     for (const Neighbor& edge : graph[i])
     {
-      const Index j = node_of_point[edge.point];
-      if (j == outside)
+      const Seams::Node node = seams.nodes[edge.point];
+      if (node.seam != seam)
       {
         if (before[edge.point] == a) cost_of_b += border(edge);
         if (before[edge.point] == b) cost_of_a += border(edge);
       }
-      else if (j > n)
-        flow.add_edge(ids[n], ids[j], border(edge), border(edge));
+      else if (node.number > n)
+        flow.add_edge(ids[n], ids[node.number], border(edge), border(edge));
     }
     flow.add_tweights(ids[n], cost_of_b, cost_of_a); // the source's side is label a
   }
   flow.maxflow();
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-  {
-    const bool is_a = flow.what_segment(ids[n]) == ::MaxFlow::Graph::SOURCE;
-    labels[nodes[n]] = is_a ? a : b;
-    node_of_point[nodes[n]] = outside;
-  }
+  for (std::size_t n = 0; n < points.size(); ++n)
+    labels[points[n]] = flow.what_segment(ids[n]) == ::MaxFlow::Graph::SOURCE ? a : b;
 }
 
 /// moves the border between each two segments on its own, by a minimum cut of the points that are
 /// nearer to this border than to any other.
 inline void cut_seams(const Neighbor_graph& graph, const Parameters& parameters,
-                      std::vector<int>& labels)
+                      std::vector<int>& labels, const bool parallel)
 {
   const std::vector<int> before = labels;
-  const std::vector<Band_point> band =
-      find_band(graph, before, static_cast<float>(parameters.band_width));
-  std::map<std::pair<int, int>, std::vector<Index>> seams;
-  for (Index i = 0; i < graph.size(); ++i)
-    if (band[i].other >= 0) seams[std::minmax(before[i], band[i].other)].push_back(i);
-  std::vector<Index> node_of_point(graph.size(), static_cast<Index>(-1));
-  for (const auto& [pair, nodes] : seams)
-    cut_seam(graph, band, pair.first, pair.second, nodes, before, node_of_point, parameters,
-             labels);
+  const Seams seams = find_seams(graph, before, static_cast<float>(parameters.band_width));
+  parallel_for(
+      seams.members.size(), parallel,
+      [&](const std::size_t s)
+      { cut_seam(graph, seams, static_cast<Index>(s), before, parameters, labels); },
+      1);
 }
 
 /// gives pieces that the cut left behind to the label around them: those under a hundredth of their

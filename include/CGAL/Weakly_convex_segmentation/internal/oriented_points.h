@@ -169,16 +169,25 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   Oriented_points points;
   const std::vector<Index> order = spatial_order(raw, cube, parallel);
 
-  std::array<double, 3> centroid = {0., 0., 0.}; // relative to the corner, against cancellation
+  // relative to the corner, against cancellation, and to the side, whose square may overflow
+  const double side = cube.side > 0. ? cube.side : 1.;
+  std::array<double, 3> centroid = {0., 0., 0.};
   for (const Index i : order)
     for (int c = 0; c < 3; ++c)
-      centroid[c] += (raw.positions[i][c] - cube.corner[c]) / static_cast<double>(n);
-  double radius = 0.;
+      centroid[c] += (raw.positions[i][c] - cube.corner[c]) / side / static_cast<double>(n);
+  double squared_radius = 0.;
   for (const auto& p : raw.positions)
-    radius = (std::max)(radius, std::hypot(p[0] - cube.corner[0] - centroid[0],
-                                           p[1] - cube.corner[1] - centroid[1],
-                                           p[2] - cube.corner[2] - centroid[2]));
-  points.extent = radius > 0. ? 2. * radius : 1.;
+  {
+    double sum = 0.;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double d = (p[c] - cube.corner[c]) / side - centroid[c];
+      sum += d * d;
+    }
+    squared_radius = (std::max)(squared_radius, sum);
+  }
+  for (double& c : centroid) c *= side;
+  points.extent = squared_radius > 0. ? 2. * std::sqrt(squared_radius) * side : 1.;
 
   points.positions.resize(n);
   points.normals.resize(n);

@@ -228,7 +228,7 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
       build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel);
   std::vector<int> band_labels;
   for (const Index i : near_border) band_labels.push_back(result[i]);
-  move_borders(graph, fine, band_labels);
+  move_borders(graph, fine, band_labels, control.parallel);
   for (std::size_t j = 0; j < near_border.size(); ++j) result[near_border[j]] = band_labels[j];
   return result;
 }
@@ -318,7 +318,8 @@ inline Result finish_segmentation(const Shape_analysis& shape, Merge_tree tree,
   control.stage(Stage::REFINEMENT,
                 [&]
                 {
-                  const std::size_t moved = refine_borders(shape.graph, parameters, labels);
+                  const std::size_t moved =
+                      refine_borders(shape.graph, parameters, labels, control.parallel);
                   input_labels = carry_labels(shape, labels, parameters, control);
                   return moved;
                 });
