@@ -172,11 +172,14 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   // relative to the corner, against cancellation, and to the side, whose square may overflow
   const double side = cube.side > 0. ? cube.side : 1.;
   std::array<double, 3> centroid = {0., 0., 0.};
-  for (const Index i : order)
+  std::vector<std::array<double, 3>> ordered(n);
+  parallel_for(
+      n, parallel, [&](const std::size_t i) { ordered[i] = raw.positions[order[i]]; }, 4096);
+  for (const auto& p : ordered)
     for (int c = 0; c < 3; ++c)
-      centroid[c] += (raw.positions[i][c] - cube.corner[c]) / side / static_cast<double>(n);
+      centroid[c] += (p[c] - cube.corner[c]) / side / static_cast<double>(n);
   double squared_radius = 0.;
-  for (const auto& p : raw.positions)
+  for (const auto& p : ordered)
   {
     double sum = 0.;
     for (int c = 0; c < 3; ++c)
@@ -195,7 +198,7 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
       n, parallel,
       [&](const std::size_t i)
       {
-        const auto& p = raw.positions[order[i]];
+        const auto& p = ordered[i];
         const auto& v = raw.normals[order[i]];
         const auto coordinate = [&](const int c)
         { return static_cast<float>((p[c] - cube.corner[c] - centroid[c]) / points.extent); };
@@ -231,6 +234,9 @@ inline Oriented_points sub_points(const Oriented_points& points, const std::vect
   Oriented_points result;
   result.extent = points.extent;
   std::vector<Index> rank(points.links.empty() ? 0 : points.size(), none);
+  result.elements.reserve(chosen.size());
+  result.positions.reserve(chosen.size());
+  result.normals.reserve(chosen.size());
   for (const Index i : chosen)
   {
     if (!rank.empty()) rank[i] = static_cast<Index>(result.size());

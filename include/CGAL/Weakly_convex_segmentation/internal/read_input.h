@@ -141,10 +141,13 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np)
   const auto point_map = point_map_of(range, np);
   const Coordinate_reader coordinates(traits_of(np));
   Raw_points raw;
+  const auto size = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+  raw.positions.reserve(size);
   for (const auto& element : range) raw.positions.push_back(coordinates(get(point_map, element)));
   if constexpr (is_given<NamedParameters, CGAL::internal_np::normal_t>)
   {
     const auto normal_map = CGAL::parameters::get_parameter(np, CGAL::internal_np::normal_map);
+    raw.normals.reserve(size);
     for (const auto& element : range) raw.normals.push_back(coordinates(get(normal_map, element)));
   }
   else
@@ -161,9 +164,11 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np)
 {
   const Coordinate_reader coordinates(traits_of(np));
   Raw_points raw;
+  raw.positions.reserve(points.size());
   for (const auto& index : points) raw.positions.push_back(coordinates(points.point(index)));
   if (points.has_normal_map())
   {
+    raw.normals.reserve(points.size());
     for (const auto& index : points) raw.normals.push_back(coordinates(points.normal(index)));
   }
   else

@@ -85,6 +85,7 @@ inline void move_to_nearest_means(const Normalized_graph& graph, const Row_matri
                                   const std::size_t count, std::vector<Index>& cluster)
 {
   constexpr int maximum_iterations = 30;
+  constexpr float rounding = 1e-6f; // where all are equally near, a node stays
   std::vector<float> half_norm(count);
   for (int iteration = 0; iteration < maximum_iterations; ++iteration)
   {
@@ -100,8 +101,9 @@ inline void move_to_nearest_means(const Normalized_graph& graph, const Row_matri
         if (std::exchange(asked[c], i) == i) return;
         // |x - c|^2 = |x|^2 - 2 x.c + |c|^2
         const float nearness = (rows.row(i) * means.row(c)).sum() - half_norm[c];
-        if (nearness > best || (nearness == best && c < next[i])) next[i] = c;
-        best = (std::max)(best, nearness);
+        if (nearness <= best + rounding) return;
+        best = nearness;
+        next[i] = c;
       };
       ask(cluster[i]);
       for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
