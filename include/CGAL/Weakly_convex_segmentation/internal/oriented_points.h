@@ -172,14 +172,11 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   // relative to the corner, against cancellation, and to the side, whose square may overflow
   const double side = cube.side > 0. ? cube.side : 1.;
   std::array<double, 3> centroid = {0., 0., 0.};
-  std::vector<std::array<double, 3>> ordered(n);
-  parallel_for(
-      n, parallel, [&](const std::size_t i) { ordered[i] = raw.positions[order[i]]; }, 4096);
-  for (const auto& p : ordered)
+  for (const Index i : order)
     for (int c = 0; c < 3; ++c)
-      centroid[c] += (p[c] - cube.corner[c]) / side / static_cast<double>(n);
+      centroid[c] += (raw.positions[i][c] - cube.corner[c]) / side / static_cast<double>(n);
   double squared_radius = 0.;
-  for (const auto& p : ordered)
+  for (const auto& p : raw.positions)
   {
     double sum = 0.;
     for (int c = 0; c < 3; ++c)
@@ -198,7 +195,7 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
       n, parallel,
       [&](const std::size_t i)
       {
-        const auto& p = ordered[i];
+        const auto& p = raw.positions[order[i]];
         const auto& v = raw.normals[order[i]];
         const auto coordinate = [&](const int c)
         { return static_cast<float>((p[c] - cube.corner[c] - centroid[c]) / points.extent); };
