@@ -5,15 +5,18 @@
 // sees from some sides, and samples with holes; scores them on the points that are there.
 
 #include "named_parameters.h"
-#include "scan_alternatives.h"
 #include "scan_conditions.h"
+#include "scan_methods.h"
+#include "scan_rows.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -31,6 +34,8 @@ namespace WCS = CGAL::Weakly_convex_segmentation;
 namespace SM = Segmentation_metrics;
 namespace SC = Scan_conditions;
 namespace po = boost::program_options;
+using Scan_methods::Method;
+using Scan_rows::Row;
 
 namespace {
 
@@ -38,39 +43,20 @@ using Kernel = CGAL::Simple_cartesian<double>;
 
 struct Options
 {
-  std::filesystem::path data, csv, clouds;
+  std::filesystem::path data, csv, clouds, program_folder;
   std::vector<int> models;
-  std::set<std::string> methods;
+  std::vector<Method> methods;
+  std::vector<std::string> settings; ///< NAME=VALUE
   std::string only;
-  WCS::Parameters parameters;
-  WCS::Parameters fitted = WCS::Parameters::fitted();
+  bool resume = false;
   std::size_t jobs = 1;
 };
 
-struct Row
+WCS::Parameters parameters_of(const Method& method, const Options& options)
 {
-  int model;
-  std::string condition, method;
-  std::size_t points, segments;
-  double rand_error;
-};
-
-std::vector<int> segment_cloud(const SC::Scan& scan, const WCS::Parameters& parameters)
-{
-  using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
-  std::vector<Oriented> points;
-  for (std::size_t i = 0; i < scan.points.size(); ++i)
-  {
-    const auto& p = scan.points[i];
-    const auto& n = scan.normals[i];
-    points.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), Kernel::Vector_3(n[0], n[1], n[2]));
-  }
-  return WCS::Segmenter<CGAL::Sequential_tag>(
-             points, parameters,
-             CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
-                 .normal_map(CGAL::Second_of_pair_property_map<Oriented>()))
-      .segment(parameters)
-      .labels;
+  WCS::Parameters parameters = Scan_methods::preset(method.name);
+  for (const std::string& s : options.settings) Named_parameters::set_parameter(parameters, s);
+  return parameters;
 }
 
 std::vector<int> segment_mesh(const SM::Mesh& mesh, const WCS::Parameters& parameters)
@@ -87,99 +73,164 @@ std::vector<int> of_seen_points(const SC::Scan& scan, const std::vector<int>& of
   return labels;
 }
 
-void write_cloud(const SC::Scan& scan, const std::filesystem::path& path)
+/// for pictures: position, normal, face and label of each point
+void write_cloud(const SC::Scan& scan, const std::vector<int>& labels, const int model,
+                 const std::string& name, const std::filesystem::path& folder)
 {
+  std::string file = std::to_string(model) + "_" + name + ".xyz";
+  for (char& c : file) c = c == ' ' || c == ',' || c == '%' ? '_' : c;
+  const std::filesystem::path path = folder / file;
   std::ofstream out(path);
   out.precision(9);
   for (std::size_t i = 0; i < scan.points.size(); ++i)
   {
     for (const double x : scan.points[i]) out << x << ' ';
     for (const double x : scan.normals[i]) out << x << ' ';
-    out << scan.faces[i] << '\n';
+    out << scan.faces[i] << ' ' << labels[i] << '\n';
   }
   if (!out.flush()) throw std::runtime_error("can't write " + path.string());
 }
+
+/// scores all methods on one cloud.
+class Cloud_scores
+{
+public:
+  Cloud_scores(const SM::Benchmark_model& model, const SC::Condition& condition)
+    : m_model(model), m_name(condition.name), m_scan(SC::make_scan(model, condition))
+  {
+    add("one segment", one_segment(), 0.);
+  }
+  const SC::Scan& scan() const { return m_scan; }
+  const std::vector<Row>& rows() const { return m_rows; }
+  std::vector<int> one_segment() const { return std::vector<int>(m_scan.points.size(), 0); }
+
+  void add(const std::string& method, const std::vector<int>& labels, const double seconds,
+           const std::string& failure = "")
+  {
+    const std::set<int> distinct(labels.begin(), labels.end());
+    m_rows.push_back({m_model.number, m_name, method, labels.size(), distinct.size(),
+                      SC::rand_error(m_model, m_scan, labels), seconds, failure});
+  }
+  /// returns the labels; one segment where the method fails, which is told in the row.
+  std::vector<int> run(const Method& method, const Options& options)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<int> labels;
+    std::string failure;
+    try
+    {
+      labels = Scan_methods::is_ours(method)
+                   ? Scan_methods::segment_by_us(m_scan, parameters_of(method, options))
+                   : Scan_methods::segment_by_others(m_scan, method, options.program_folder);
+    }
+    catch (const std::exception& error)
+    {
+      failure = error.what();
+      labels = one_segment();
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    add(method.text, labels, seconds.count(), failure);
+    return labels;
+  }
+
+private:
+  const SM::Benchmark_model& m_model;
+  std::string m_name;
+  SC::Scan m_scan;
+  std::vector<Row> m_rows;
+};
+
+bool has_complete_labels(const Method& m) { return m.name == "default" || m.name == "fitted"; }
 
 /// scores all methods on all clouds of a model.
 std::vector<Row> run_model(const int number, const Options& options)
 {
   const SM::Benchmark_model model = SM::read_benchmark_model(options.data, number);
-  const auto is_wanted = [&](const std::string& m) { return options.methods.count(m) > 0; };
-  std::vector<int> complete, complete_fitted;
-  if (is_wanted("default")) complete = segment_mesh(model.mesh, options.parameters);
-  if (is_wanted("fitted")) complete_fitted = segment_mesh(model.mesh, options.fitted);
+  std::map<std::string, std::vector<int>> complete; // labels of the faces
+  for (const Method& method : options.methods)
+    if (has_complete_labels(method))
+      complete[method.name] = segment_mesh(model.mesh, parameters_of(method, options));
   std::vector<Row> rows;
   for (const SC::Condition& condition : SC::all_conditions())
   {
     if (condition.name.find(options.only) == std::string::npos) continue;
-    const SC::Scan scan = SC::make_scan(model, condition);
-    const auto add = [&](const std::string& method, const std::vector<int>& labels)
+    Cloud_scores scores(model, condition);
+    std::vector<int> drawn = scores.one_segment();
+    for (const Method& method : options.methods)
     {
-      const std::set<int> distinct(labels.begin(), labels.end());
-      rows.push_back({number, condition.name, method, labels.size(), distinct.size(),
-                      SC::rand_error(model, scan, labels)});
-    };
-    add("one segment", std::vector<int>(scan.points.size(), 0));
-    if (is_wanted("default"))
-    {
-      add("default", segment_cloud(scan, options.parameters));
-      add("default, complete mesh", of_seen_points(scan, complete));
+      const std::vector<int> labels = scores.run(method, options);
+      if (&method == &options.methods.front()) drawn = labels;
+      if (has_complete_labels(method))
+        scores.add(method.name + ", complete mesh",
+                   of_seen_points(scores.scan(), complete[method.name]), 0.);
     }
-    if (is_wanted("fitted"))
-    {
-      add("fitted", segment_cloud(scan, options.fitted));
-      add("fitted, complete mesh", of_seen_points(scan, complete_fitted));
-    }
-    if (is_wanted("sdf")) add("CGAL SDF", Scan_alternatives::segment_by_sdf(scan));
     if (!options.clouds.empty())
-    {
-      std::string file = std::to_string(number) + "_" + condition.name + ".xyz";
-      for (char& c : file) c = c == ' ' || c == ',' || c == '%' ? '_' : c;
-      write_cloud(scan, options.clouds / file);
-    }
+      write_cloud(scores.scan(), drawn, number, condition.name, options.clouds);
+    rows.insert(rows.end(), scores.rows().begin(), scores.rows().end());
   }
   return rows;
 }
 
-std::vector<Row> run_models(const Options& options)
+/// Runs models, several at once; keeps the table after each and tells how far it is.
+class Runner
 {
-  std::vector<std::vector<Row>> rows(options.models.size());
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::string failure;
-  const auto work = [&]
+public:
+  Runner(const Options& options) : m_options(options)
   {
-    for (std::size_t i = next++; i < rows.size(); i = next++) try
+    if (options.resume) m_rows = Scan_rows::read(options.csv);
+    std::set<int> done;
+    for (const Row& r : m_rows) done.insert(r.model);
+    for (const int model : options.models)
+      if (done.count(model) == 0) m_waiting.push_back(model);
+    if (!done.empty())
+      std::cerr << done.size() << " models are done already, " << m_waiting.size() << " wait\n";
+  }
+
+  std::vector<Row> run()
+  {
+    std::vector<std::thread> threads;
+    for (std::size_t j = 1; j < m_options.jobs; ++j) threads.emplace_back([this] { work(); });
+    work();
+    for (std::thread& thread : threads) thread.join();
+    if (!m_failure.empty()) throw std::runtime_error(m_failure);
+    return m_rows;
+  }
+
+private:
+  void work()
+  {
+    for (std::size_t i = m_next++; i < m_waiting.size(); i = m_next++) try
       {
-        rows[i] = run_model(options.models[i], options);
+        keep(m_waiting[i], run_model(m_waiting[i], m_options));
       }
       catch (const std::exception& error)
       {
-        const std::lock_guard<std::mutex> lock(mutex);
-        failure = "model " + std::to_string(options.models[i]) + ": " + error.what();
-        next = rows.size();
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_failure = "model " + std::to_string(m_waiting[i]) + ": " + error.what();
+        m_next = m_waiting.size();
       }
-  };
-  std::vector<std::thread> threads;
-  for (std::size_t j = 1; j < options.jobs; ++j) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  if (!failure.empty()) throw std::runtime_error(failure);
-  std::vector<Row> all;
-  for (const auto& some : rows) all.insert(all.end(), some.begin(), some.end());
-  return all;
-}
+  }
+  void keep(const int model, const std::vector<Row>& rows)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_rows.insert(m_rows.end(), rows.begin(), rows.end());
+    std::stable_sort(m_rows.begin(), m_rows.end(),
+                     [](const Row& a, const Row& b) { return a.model < b.model; });
+    if (!m_options.csv.empty()) Scan_rows::write(m_rows, m_options.csv);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - m_begin;
+    std::cerr << ++m_done << '/' << m_waiting.size() << " model " << model << ", "
+              << static_cast<long>(spent.count()) << " s\n";
+  }
 
-void write_csv(const std::vector<Row>& rows, const std::filesystem::path& path)
-{
-  std::ofstream out(path);
-  out << "model,category,condition,method,points,segments,rand_error\n";
-  for (const Row& r : rows)
-    out << r.model << ',' << SM::category_names()[SM::category_of_model(r.model)] << ",\""
-        << r.condition << "\",\"" << r.method << "\"," << r.points << ',' << r.segments << ','
-        << r.rand_error << '\n';
-  if (!out.flush()) throw std::runtime_error("can't write " + path.string());
-}
+  const Options& m_options;
+  const std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+  std::vector<int> m_waiting;
+  std::vector<Row> m_rows;
+  std::atomic<std::size_t> m_next{0};
+  std::size_t m_done = 0;
+  std::mutex m_mutex;
+  std::string m_failure;
+};
 
 /// prints a row a condition and a column a method: means over categories of means over models.
 void print_table(const std::vector<Row>& rows)
@@ -226,26 +277,54 @@ std::vector<int> choose_models(const std::filesystem::path& data, const std::str
   return models;
 }
 
-/// returns whether there is something to run.
-bool read_options(const int argc, char** argv, Options& options)
+po::options_description visible_options(Options& options, std::vector<std::string>& paths,
+                                        std::string& ids, std::string& methods,
+                                        std::size_t& per_category)
 {
   // as strings: a path is read from a text only up to its first space
-  std::string ids, methods, data, csv, clouds;
-  std::vector<std::string> settings;
-  std::size_t per_category = 0;
   po::options_description visible("benchmark_scans DATA_DIR [options]\n"
                                   "scores the parts of incomplete clouds against people's");
   visible.add_options()("help", "print this")("ids", po::value(&ids), "only these models, as 1,3")(
       "per-category", po::value(&per_category)->default_value(0),
       "only the first so many models of each category; 0: all")(
-      "methods", po::value(&methods)->default_value("default,fitted"), "of default,fitted,sdf")(
+      "methods", po::value(&methods)->default_value("default,fitted"),
+      "of default, fitted, paper, sdf, lccp, cpc; the last three may have settings: "
+      "sdf@CLUSTERS/SMOOTHING/CELL, lccp@VOXEL/SEED/TOLERANCE/SMOOTHNESS/K, cpc@ likewise")(
       "only", po::value(&options.only), "only clouds whose name has this in it, as '2 views'")(
-      "csv", po::value(&csv), "write a row a model, cloud and method")(
-      "clouds", po::value(&clouds), "write the clouds to this folder")(
-      "set", po::value(&settings)->composing(), "NAME=VALUE of a parameter; may be repeated")(
+      "csv", po::value(&paths[1]), "write a row a model, cloud and method")(
+      "resume", po::bool_switch(&options.resume), "leave out the models that are in the csv")(
+      "clouds", po::value(&paths[2]), "write the clouds with the first method's labels here")(
+      "set", po::value(&options.settings)->composing(),
+      "NAME=VALUE of a parameter of our presets; may be repeated")(
       "jobs", po::value(&options.jobs)->default_value(1), "models at once, each single-threaded");
+  return visible;
+}
+
+void read_methods(const std::string& methods, Options& options)
+{
+  std::istringstream list(methods);
+  for (std::string word; std::getline(list, word, ',');)
+  {
+    const Method method = Scan_methods::method_from(word);
+    if (method.name == "sdf") Scan_methods::sdf_settings_from(method.settings); // throws early
+    if ((method.name == "lccp" || method.name == "cpc") &&
+        !Pcl_program::is_built(options.program_folder))
+      std::cerr << word << " is skipped: segment_by_pcl was not built, for want of PCL\n";
+    else
+      options.methods.push_back(method);
+  }
+}
+
+/// returns whether there is something to run.
+bool read_options(const int argc, char** argv, Options& options)
+{
+  std::string ids, methods;
+  std::vector<std::string> paths(3);
+  std::size_t per_category = 0;
+  const po::options_description visible =
+      visible_options(options, paths, ids, methods, per_category);
   po::options_description all;
-  all.add(visible).add_options()("data", po::value(&data)->required(), "");
+  all.add(visible).add_options()("data", po::value(&paths[0])->required(), "");
   po::positional_options_description positional;
   positional.add("data", 1);
   po::variables_map map;
@@ -256,14 +335,15 @@ bool read_options(const int argc, char** argv, Options& options)
     return false;
   }
   po::notify(map);
-  options.data = data;
-  options.csv = csv;
-  options.clouds = clouds;
-  for (const std::string& s : settings)
-    for (WCS::Parameters* p : {&options.parameters, &options.fitted})
-      Named_parameters::set_parameter(*p, s);
-  std::istringstream method_list(methods);
-  for (std::string word; std::getline(method_list, word, ',');) options.methods.insert(word);
+  options.data = paths[0];
+  options.csv = paths[1];
+  options.clouds = paths[2];
+  if (options.resume && options.csv.empty())
+    throw std::invalid_argument("--resume goes on with a table; give it by --csv");
+  options.program_folder = std::filesystem::path(argv[0]).parent_path();
+  WCS::Parameters checked;
+  for (const std::string& s : options.settings) Named_parameters::set_parameter(checked, s);
+  read_methods(methods, options);
   options.models = choose_models(options.data, ids, per_category);
   if (!options.clouds.empty()) std::filesystem::create_directories(options.clouds);
   return true;
@@ -277,8 +357,8 @@ int main(int argc, char** argv)
   {
     Options options;
     if (!read_options(argc, argv, options)) return 0;
-    const std::vector<Row> rows = run_models(options);
-    if (!options.csv.empty()) write_csv(rows, options.csv);
+    const std::vector<Row> rows = Runner(options).run();
+    if (!options.csv.empty()) Scan_rows::write(rows, options.csv);
     print_table(rows);
     return 0;
   }

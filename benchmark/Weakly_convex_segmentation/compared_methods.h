@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_COMPARED_METHODS_H
 
 #include "forked_run.h"
+#include "pcl_program.h"
 #include "prepared_segmentation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,19 +19,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <unistd.h>
 
 // What is compared with each other: ways from a mesh to a label a face. Those that share most of their
 // work run together.
@@ -174,53 +170,24 @@ inline std::vector<Labeling> segment_by_sdf(const Shape& shape)
   return labelings;
 }
 
-/// centroids and normals of the faces, one a line, for programs of their own; returns the mean area
-inline double write_face_points(const Soup& soup, const std::filesystem::path& path)
-{
-  std::ofstream out(path);
-  out.precision(9);
-  double area = 0.;
-  for (const auto& f : soup.faces)
-  {
-    const auto corner = [&](const std::size_t i)
-    {
-      const auto& p = soup.points[f[i]];
-      return Kernel::Point_3(p[0], p[1], p[2]);
-    };
-    const Kernel::Point_3 c = CGAL::centroid(corner(0), corner(1), corner(2));
-    const Kernel::Vector_3 n = CGAL::cross_product(corner(1) - corner(0), corner(2) - corner(0));
-    area += 0.5 * std::sqrt(n.squared_length()) / static_cast<double>(soup.faces.size());
-    out << c << ' ' << n << '\n';
-  }
-  if (!out.flush()) throw std::runtime_error("can't write " + path.string());
-  return area;
-}
-
-/// a method of PCL, by the program that is built where PCL is installed
+/// a method of PCL, on centroids and normals of the faces
 inline std::vector<Labeling> segment_by_pcl(const Shape& shape, const std::string& method)
 {
-  const auto program = shape.program_folder / "segment_by_pcl";
-  if (!std::filesystem::exists(program))
-    throw std::runtime_error("skipped: segment_by_pcl was not built, for want of PCL");
-  const auto folder = std::filesystem::temp_directory_path();
-  const std::string stem = (folder / ("wcs_" + method + std::to_string(::getpid()))).string();
-  const std::string points = stem + ".xyz", labels = stem + ".seg", log = stem + ".log";
-  const double area = write_face_points(shape.soup, points);
-  std::ostringstream command;
-  command << '\'' << program.string() << "' " << method << " '" << points << "' '" << labels << "' "
-          << 1.5 * std::sqrt(area) << " > '" << log << "' 2>&1";
-  const int status = std::system(command.str().c_str());
-  std::ifstream log_file(log), label_file(labels);
-  Labeling labeling;
-  labeling.method = method;
-  std::string message; // the last line: the library prints lines of its own
-  for (std::string line; std::getline(log_file, line);) message = line;
-  if (status == 0) labeling.cpu_seconds = std::stod(message);
-  for (int l = 0; label_file >> l;) labeling.labels.push_back(l);
-  for (const std::string& name : {points, labels, log}) std::filesystem::remove(name);
-  if (status != 0)
-    throw std::runtime_error(message.empty() ? "segment_by_pcl was ended by a signal" : message);
-  return {labeling};
+  const std::vector<Kernel::Point_3> corners = kernel_points(shape.soup);
+  std::vector<Pcl_program::Coordinates> points, normals;
+  double mean_area = 0.;
+  for (const auto& f : shape.soup.faces)
+  {
+    const Kernel::Point_3 &p = corners[f[0]], &q = corners[f[1]], &r = corners[f[2]];
+    const Kernel::Point_3 c = CGAL::centroid(p, q, r);
+    const Kernel::Vector_3 n = CGAL::cross_product(q - p, r - p);
+    mean_area += 0.5 * std::sqrt(n.squared_length()) / static_cast<double>(shape.soup.faces.size());
+    points.push_back({c.x(), c.y(), c.z()});
+    normals.push_back({n.x(), n.y(), n.z()});
+  }
+  const Pcl_program::Outcome outcome =
+      Pcl_program::run(shape.program_folder, method, points, normals, 1.5 * std::sqrt(mean_area));
+  return {{method, outcome.labels, outcome.cpu_seconds}};
 }
 
 struct Method

@@ -155,11 +155,12 @@ void set_options(Segmentation& segmentation, const Supervoxels& supervoxels, con
 /// returns a label a point by locally convex connected patches.
 inline std::vector<int> segment_by_lccp(const std::vector<Coordinates>& points,
                                         const std::vector<Coordinates>& normals,
-                                        const double smallest_voxel)
+                                        const double smallest_voxel,
+                                        const Options& options = lccp_options)
 {
-  const Supervoxels supervoxels = make_supervoxels(points, normals, smallest_voxel, lccp_options);
+  const Supervoxels supervoxels = make_supervoxels(points, normals, smallest_voxel, options);
   pcl::LCCPSegmentation<Point> segmentation;
-  set_options(segmentation, supervoxels, lccp_options);
+  set_options(segmentation, supervoxels, options);
   segmentation.segment();
   return labels_of_points(segmentation, supervoxels);
 }
@@ -167,11 +168,12 @@ inline std::vector<int> segment_by_lccp(const std::vector<Coordinates>& points,
 /// returns a label a point by constrained planar cuts.
 inline std::vector<int> segment_by_cpc(const std::vector<Coordinates>& points,
                                        const std::vector<Coordinates>& normals,
-                                       const double smallest_voxel)
+                                       const double smallest_voxel,
+                                       const Options& options = cpc_options)
 {
-  const Supervoxels supervoxels = make_supervoxels(points, normals, smallest_voxel, cpc_options);
+  const Supervoxels supervoxels = make_supervoxels(points, normals, smallest_voxel, options);
   pcl::CPCSegmentation<Point> segmentation;
-  set_options(segmentation, supervoxels, cpc_options);
+  set_options(segmentation, supervoxels, options);
   segmentation.setCutting(25, 0, 0.06f, true, true, false);
   segmentation.setRANSACIterations(1000);
   segmentation.segment();

@@ -217,11 +217,19 @@ inline void segment_piece(const std::vector<std::size_t>& piece, const Options& 
 
 } // namespace internal
 
-// Finds the objects and their parts.
-// Throws std::runtime_error if there is no plane or nothing stands on it.
-inline Scene segment_scene(const std::vector<Point>& points, const Options& options)
+// What is there before parts are looked for.
+struct Pieces_on_plane
 {
-  Scene scene;
+  Scene scene;                                  // without objects
+  std::vector<std::vector<std::size_t>> pieces; // of its cells
+};
+
+// Finds the plane and the separated pieces on it.
+// Throws std::runtime_error if there is no plane or nothing stands on it.
+inline Pieces_on_plane find_pieces(const std::vector<Point>& points, const Options& options)
+{
+  Pieces_on_plane result;
+  Scene& scene = result.scene;
   internal::thin(points, options.cell, scene);
   if (scene.cells.size() < 100)
     throw std::runtime_error("the scene has only " + std::to_string(scene.cells.size()) +
@@ -230,12 +238,24 @@ inline Scene segment_scene(const std::vector<Point>& points, const Options& opti
   scene.plane = internal::supporting_plane(scene.cells, options);
   scene.object.assign(scene.cells.size(), -1);
   scene.part.assign(scene.cells.size(), -1);
-  for (const auto& piece : internal::separated_pieces(scene, options))
-    internal::segment_piece(piece, options, scene);
-  if (scene.parts_of.empty())
+  result.pieces = internal::separated_pieces(scene, options);
+  if (result.pieces.empty())
     throw std::runtime_error("nothing stands on the plane that was found; is the sensor at the "
                              "viewpoint? set --viewpoint");
-  return scene;
+  return result;
+}
+
+// Finds the parts of the pieces.
+inline Scene segment_pieces(Pieces_on_plane found, const Options& options)
+{
+  for (const auto& piece : found.pieces) internal::segment_piece(piece, options, found.scene);
+  return std::move(found.scene);
+}
+
+// Finds the objects and their parts; throws as find_pieces() does.
+inline Scene segment_scene(const std::vector<Point>& points, const Options& options)
+{
+  return segment_pieces(find_pieces(points, options), options);
 }
 
 } // namespace Scene_objects
