@@ -4,12 +4,13 @@
 
 # Installs the Debian (or Ubuntu) packages that are missing, and does nothing if none is.
 #
-#   scripts/setup.sh [GROUP...]      groups: build picture test doc report pcl; without
-#                                  any: build test
+#   scripts/setup.sh [GROUP...]      groups: build picture test doc report pcl view;
+#                                  without any: build test
 #
 # build: compiler and libraries; picture: the viewer of scripts/demo; test: what scripts/test needs
 # besides; doc: the tool that makes the manual; report: what scripts/report and
-# scripts/scan_report draw with; pcl: a library whose methods the benchmark compares with (large).
+# scripts/scan_report draw with; pcl: a library whose methods the benchmark compares with (large);
+# view: npm, with which the page of segment_shape --view is made, and a browser that tests it.
 
 set -euo pipefail
 
@@ -20,6 +21,10 @@ test=(libbenchmark-dev clang-14 clang-format-14)
 doc=(doxygen)
 report=(python3-matplotlib python3-pil)
 pcl=(libpcl-dev)
+view=(chromium)
+if ! command -v npm >/dev/null; then
+  view+=(nodejs npm)
+fi
 
 if (($# == 0)); then
   set -- build test
@@ -34,8 +39,9 @@ for group in "$@"; do
     doc) wanted+=("${doc[@]}") ;;
     report) wanted+=("${report[@]}") ;;
     pcl) wanted+=("${pcl[@]}") ;;
+    view) wanted+=("${view[@]}") ;;
     *)
-      echo "setup.sh: there is no group '$group': build, picture, test, doc, report, pcl" >&2
+      echo "setup.sh: there is no group '$group': build, picture, test, doc, report, pcl, view" >&2
       exit 1
       ;;
   esac

@@ -12,6 +12,7 @@
 #include "shape_generator.h"
 #include "shape_io.h"
 #include "thread_limit.h"
+#include "write_view.h"
 
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/property_map.h>
@@ -127,6 +128,25 @@ Shape_io::Parts parts_of_nearest(const Shape& from, const Shape_io::Parts& parts
   return result;
 }
 
+// Where the page without a shape is. It is made with the project, or lies where the user says.
+std::string path_of_page()
+{
+  const char* const folder = std::getenv("WCS_VIEW_DIR");
+  return std::string(folder ? folder : WEAKLY_CONVEX_SEGMENTATION_VIEW_DIR) + "/page.html";
+}
+
+template <typename Parts_of>
+void write_view(Segment_shape::Outputs& outputs,
+                const std::optional<Segment_shape::View_page>& page, const Shape& shape,
+                const Parts_of& parts_of, const Run& run)
+{
+  outputs.write_view(page, shape,
+                     {{"patches", "patch", parts_of(WCS::Level::PATCHES)},
+                      {"components", "component", parts_of(WCS::Level::COMPONENTS)},
+                      {"segments", "segment", parts_of(WCS::Level::SEGMENTS)}},
+                     run);
+}
+
 void print_results(const Options& options, const Shape& shape, const Run& run)
 {
   const std::vector<std::string> files = Segment_shape::output_files(options);
@@ -148,6 +168,8 @@ void segment_shape(const Options& options)
 {
   for (const std::string& file : Segment_shape::output_files(options))
     Shape_io::Atomic_file::check(file);
+  std::optional<Segment_shape::View_page> page;
+  if (!options.view_file.empty()) page.emplace(path_of_page());
   Run run;
   run.name = name_of_input(options);
   const Segment_shape::Stopwatch reading;
@@ -166,11 +188,14 @@ void segment_shape(const Options& options)
   const Segment_shape::Stopwatch segmentation;
   run.result = segment(measured.shape(), options, run.stages);
   run.seconds_of_segmentation = segmentation.seconds();
-  const Shape_io::Parts parts = parts_at(options.level, measured.shape(), run.result);
-  if (dense)
-    outputs.write(*dense, parts_of_nearest(measured.shape(), parts, *dense));
-  else
-    outputs.write(shape, measured.spread(parts));
+  const auto parts_of = [&](const WCS::Level level)
+  {
+    const Shape_io::Parts parts = parts_at(level, measured.shape(), run.result);
+    return dense ? parts_of_nearest(measured.shape(), parts, *dense) : measured.spread(parts);
+  };
+  const Shape& written = dense ? *dense : shape;
+  outputs.write(written, parts_of(options.level));
+  if (page) write_view(outputs, page, written, parts_of, run);
   outputs.write_stats(shape, run);
   outputs.commit();
   if (!options.quiet) print_results(options, shape, run);

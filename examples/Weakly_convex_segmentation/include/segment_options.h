@@ -27,7 +27,7 @@ struct Options
   std::string input; // empty: the generated shape is segmented
   std::string shape = "figure";
   std::string parts_file, labels_file, stats_file; // empty: not written
-  std::string hulls_file, split_folder;            // empty: not written
+  std::string hulls_file, split_folder, view_file; // empty: not written
   std::string dense_file;                          // empty: the labels are those of the input
   std::string preset = "default";
   std::string stage = "segments";
@@ -45,8 +45,8 @@ struct Options
 inline std::vector<std::string> output_files(const Options& options)
 {
   std::vector<std::string> files;
-  for (const std::string& file :
-       {options.parts_file, options.labels_file, options.stats_file, options.hulls_file})
+  for (const std::string& file : {options.parts_file, options.labels_file, options.stats_file,
+                                  options.hulls_file, options.view_file})
     if (!file.empty()) files.push_back(file);
   return files;
 }
@@ -77,6 +77,10 @@ inline po::options_description described_options(Options& options, Numbers& numb
       "write each part as a file of its own, FOLDER/part_0.ply and so on");
   add("hulls", po::value(&options.hulls_file)->value_name("HULLS.ply"),
       "write the convex hulls of the parts as one mesh, PLY or OBJ (groups); flat parts have none");
+  add("view", po::value(&options.view_file)->value_name("PARTS.html"),
+      "write a page for a browser, in which to turn the shape, step through the stages and pull "
+      "the "
+      "parts apart");
   add("transfer", po::value(&options.dense_file)->value_name("DENSE.ply"),
       "give all outputs for this shape instead, each point or face with the part of INPUT that it "
       "is nearest to");
@@ -133,7 +137,7 @@ inline void check_mesh_file(const std::string& path)
 inline void check_files(const po::variables_map& given, const Options& options)
 {
   for (const char* const name :
-       {"input", "output", "labels", "stats", "hulls", "split", "transfer"})
+       {"input", "output", "labels", "stats", "hulls", "split", "view", "transfer"})
     if (given.count(name) && given[name].as<std::string>().empty())
       refuse("the name of a file is empty (" + std::string(name) + ")");
   if (given.count("input") && given.count("shape"))

@@ -10,6 +10,7 @@
 #include "segment_report.h"
 #include "separate_parts.h"
 #include "shape_io.h"
+#include "write_view.h"
 
 #include <cstddef>
 #include <iostream>
@@ -47,7 +48,8 @@ class Outputs
 public:
   explicit Outputs(const Options& options)
     : m_options(options), m_parts(open(options.parts_file)), m_labels(open(options.labels_file)),
-      m_stats(open(options.stats_file)), m_hulls(open(options.hulls_file))
+      m_stats(open(options.stats_file)), m_hulls(open(options.hulls_file)),
+      m_view(open(options.view_file))
   {
     if (!options.split_folder.empty()) m_folder.emplace(options.split_folder);
   }
@@ -63,6 +65,13 @@ public:
   void write_stats(const Shape_io::Shape& shape, const Run& run)
   {
     if (m_stats) Segment_shape::write_stats(m_stats->stream(), m_options, shape, run);
+  }
+
+  // `page` is there if a page is asked for.
+  void write_view(const std::optional<View_page>& page, const Shape_io::Shape& shape,
+                  const std::vector<View_stage>& stages, const Run& run)
+  {
+    if (m_view) page->write(m_view->stream(), m_options, shape, stages, run);
   }
 
   // Puts all files in their places, unless there was an interruption.
@@ -126,7 +135,7 @@ private:
   const Options& m_options;
   std::optional<Shape_io::New_folder> m_folder; // before the files, which lie in it
   std::vector<std::unique_ptr<Shape_io::Atomic_file>> m_files;
-  File m_parts, m_labels, m_stats, m_hulls;
+  File m_parts, m_labels, m_stats, m_hulls, m_view;
 };
 
 } // namespace Segment_shape
