@@ -252,3 +252,33 @@ BOOST_AUTO_TEST_CASE(the_runner_goes_on_and_tells_of_failures)
   BOOST_TEST(folder.has("corpus/pictures/more_a.off.ppm"));
   BOOST_TEST(exit_code(folder, runner() + "merge corpus") == 0);
 }
+
+BOOST_AUTO_TEST_CASE(scans_are_scored_by_all_methods_and_what_is_measured_is_kept)
+{
+  const Scratch_folder folder;
+  write_model(folder, 1, "dumbbell");
+  const std::string run = program("benchmark_scans") + " data --ids 1 --csv scans.csv --resume";
+  BOOST_TEST(exit_code(folder, run + " --methods default") == 0);
+  const std::string table = folder.read("scans.csv");
+  const auto rows = [](const std::string& text, const std::string& method)
+  {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find('"' + method + '"', at)) != std::string::npos; ++at)
+      ++count;
+    return count;
+  };
+  BOOST_TEST(rows(table, "default") >=
+             14u); // 5 numbers of views, with and without noise; 4 of holes
+  BOOST_TEST(rows(table, "one segment") == rows(table, "default"));
+
+  // nothing is measured twice
+  BOOST_TEST(exit_code(folder, run + " --methods default") == 0);
+  BOOST_TEST(folder.read("scans.csv") == table);
+  BOOST_TEST(exit_code(folder, run + " --methods default,sdf") == 0);
+  BOOST_TEST(rows(folder.read("scans.csv"), "sdf") == rows(table, "default"));
+
+  BOOST_TEST(exit_code(folder, run + " --methods magic") == 1);
+  const std::string error = folder.read("err.txt");
+  BOOST_TEST(error.find("magic") != std::string::npos);
+  BOOST_TEST(std::count(error.begin(), error.end(), '\n') == 1);
+}
