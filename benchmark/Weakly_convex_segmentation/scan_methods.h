@@ -114,9 +114,9 @@ inline std::vector<int> segment_by_others(const Scan& scan, const Method& method
                                           const std::filesystem::path& program_folder)
 {
   if (method.name == "sdf") return segment_by_sdf(scan, method.settings);
-  const char* const best = method.name == "lccp" ? lccp_settings : cpc_settings;
+  const char* const usual = method.name == "lccp" ? lccp_settings : cpc_settings;
   return Pcl_program::run(program_folder, method.name, scan.points, scan.normals, 0.,
-                          method.settings.empty() ? best : method.settings)
+                          method.settings.empty() ? usual : method.settings)
       .labels;
 }
 

@@ -94,7 +94,7 @@ inline void check_name(const std::string& name)
 }
 
 /// \param method default, fitted (their parameters are in the options), pieces (separated ones are not
-/// divided), or lccp, cpc, lccp_whole, cpc_whole, each with settings behind an @ or with the best known
+/// divided), or lccp, cpc, lccp_whole, cpc_whole, each with settings behind an @ or with the above
 inline Segments segment(const std::vector<Scene_objects::Point>& points, const std::string& method,
                         const Scene_objects::Options& options,
                         const std::filesystem::path& program_folder)
@@ -119,9 +119,9 @@ inline Segments segment(const std::vector<Scene_objects::Point>& points, const s
     }
     result.seconds = passed();
     const bool is_lccp = name[0] == 'l';
-    const std::string best = is_lccp ? lccp_settings : cpc_settings;
+    const std::string usual = is_lccp ? lccp_settings : cpc_settings;
     of_cells = segment_by_pcl(found.scene, used, is_lccp ? "lccp" : "cpc",
-                              at == std::string::npos ? best : method.substr(at + 1),
+                              at == std::string::npos ? usual : method.substr(at + 1),
                               program_folder, result.seconds);
   }
   else if (name == "pieces")

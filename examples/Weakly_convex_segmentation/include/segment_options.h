@@ -78,9 +78,7 @@ inline po::options_description described_options(Options& options, Numbers& numb
   add("hulls", po::value(&options.hulls_file)->value_name("HULLS.ply"),
       "write the convex hulls of the parts as one mesh, PLY or OBJ (groups); flat parts have none");
   add("view", po::value(&options.view_file)->value_name("PARTS.html"),
-      "write a page for a browser, in which to turn the shape, step through the stages and pull "
-      "the "
-      "parts apart");
+      "write a page for a browser: turn the shape, step through the stages, pull the parts apart");
   add("transfer", po::value(&options.dense_file)->value_name("DENSE.ply"),
       "give all outputs for this shape instead, each point or face with the part of INPUT that it "
       "is nearest to");

@@ -120,7 +120,7 @@ struct Parameters
 
   /// wanted number of patches; `[1, 1000]`
   std::size_t number_of_patches = 88;
-  /// number of supervoxels that the spectral clustering works on: it bounds the eigenproblem;
+  /// number of supervoxels that the spectral clustering works on, which bound its time;
   /// `[1, 20000]`
   std::size_t number_of_supervoxels = 1500;
   /// neighbors are joined in the convexity graph unless their normals are concave by more degrees;

@@ -4,14 +4,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_CLUSTERING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_CLUSTERING_H
 
-#include <CGAL/Weakly_convex_segmentation/internal/Low_pass.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Voronoi_cells.h>
+#include <CGAL/Weakly_convex_segmentation/internal/spectral_embedding.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <random>
 #include <utility>
 #include <vector>
@@ -33,35 +31,19 @@ namespace internal {
 inline std::vector<Index> spread_cells(const Normalized_graph& graph, const std::size_t count,
                                        Index seed)
 {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  using Entry = std::pair<float, Index>;
-  std::vector<float> distance(graph.size(), infinity);
-  std::vector<Index> cell(graph.size(), 0);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
-  for (Index c = 0; c < count; ++c)
+  Cost_graph costs{graph.first, {}};
+  costs.edges.reserve(graph.edges.size());
+  for (const auto& edge : graph.edges) costs.edges.push_back({edge.node, 1.f / edge.weight});
+  Voronoi_cells cells(costs);
+  for (Index c = 0; c < count && cells.distance(seed) > 0.f; ++c)
   {
-    if (distance[seed] == 0.f) break;
-    distance[seed] = 0.f;
-    cell[seed] = c;
-    for (front.push({0.f, seed}); !front.empty();)
-    {
-      const auto [d, i] = front.top();
-      front.pop();
-      if (d > distance[i]) continue;
-      for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
-      {
-        const auto& [j, weight] = graph.edges[e];
-        const float through = d + 1.f / weight;
-        if (through >= distance[j]) continue;
-        distance[j] = through;
-        cell[j] = c;
-        front.push({through, j});
-      }
-    }
-    seed =
-        static_cast<Index>(std::max_element(distance.begin(), distance.end()) - distance.begin());
+    cells.add_seed(seed, c);
+    cells.grow();
+    seed = 0;
+    for (Index i = 1; i < graph.size(); ++i)
+      if (cells.distance(i) > cells.distance(seed)) seed = i;
   }
-  return cell;
+  return cells.cells();
 }
 
 /// returns the means of the rows of each cluster.
@@ -131,7 +113,7 @@ inline std::vector<Index> spectral_clusters(const std::size_t size,
   const Normalized_graph graph(size, edges);
   std::vector<Index> cluster =
       spread_cells(graph, count, static_cast<Index>(std::mt19937(seed)() % size));
-  const Row_matrix rows = low_pass_rows(graph, cluster, count);
+  const Row_matrix rows = spectral_embedding(graph, cluster, count);
   move_to_nearest_means(graph, rows, count, cluster);
   return cluster;
 }

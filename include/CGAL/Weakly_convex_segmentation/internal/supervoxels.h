@@ -4,22 +4,21 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SUPERVOXELS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SUPERVOXELS_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Voronoi_cells.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
 // Graph-Voronoi cells of well spread seeds: the bounded number of nodes that stand for the points in
-// the eigenproblem of the patches.
+// the spectral clustering of the patches.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -46,82 +45,14 @@ public:
   }
 };
 
-/// A graph with the costs of its edges, in less memory than the neighbor graph.
-struct Cost_graph
+/// returns the graph of the points with the costs of its edges.
+inline Cost_graph cost_graph(const Neighbor_graph& graph, const Edge_cost& cost)
 {
-  struct Edge
-  {
-    Index point;
-    float cost;
-  };
-  const std::vector<std::size_t>& first; ///< begin of each point's row in `edges`; size n + 1
-  std::vector<Edge> edges;
-
-  Cost_graph(const Neighbor_graph& graph, const Edge_cost& cost) : first(graph.first)
-  {
-    edges.reserve(graph.neighbors.size());
-    for (const Neighbor& edge : graph.neighbors) edges.push_back({edge.point, cost(edge)});
-  }
-  std::size_t size() const { return first.size() - 1; }
-};
-
-/// Dijkstra's search from seeds that are added one after the other; every point belongs to the seed
-/// that is nearest along the graph.
-class Voronoi_cells
-{
-public:
-  explicit Voronoi_cells(const Cost_graph& graph)
-    : m_graph(graph), m_distance(graph.size(), infinity()), m_cell(graph.size(), 0)
-  {}
-
-  static constexpr float infinity() { return std::numeric_limits<float>::infinity(); }
-  float distance(const Index point) const { return m_distance[point]; }
-  const std::vector<Index>& cells() const { return m_cell; }
-
-  void add_seed(const Index point, const Index cell)
-  {
-    m_distance[point] = 0.f;
-    m_cell[point] = cell;
-    m_front.push(entry(0.f, point));
-  }
-
-  /// lets the seeds added so far take all points that are nearer to them.
-  void grow()
-  {
-    while (!m_front.empty())
-    {
-      const std::uint64_t top = m_front.top();
-      const Index i = static_cast<Index>(top);
-      m_front.pop();
-      const float d = m_distance[i];
-      if (top != entry(d, i)) continue; // a shorter way was found since
-      for (std::size_t e = m_graph.first[i]; e < m_graph.first[i + 1]; ++e)
-      {
-        const auto [j, cost] = m_graph.edges[e];
-        const float through = d + cost;
-        if (through >= m_distance[j]) continue;
-        m_distance[j] = through;
-        m_cell[j] = m_cell[i];
-        m_front.push(entry(through, j));
-      }
-    }
-  }
-
-  /// distance and point as one integer, in the same order: the bits of floats from 0 on ascend
-  static std::uint64_t entry(const float distance, const Index point)
-  {
-    std::uint32_t bits;
-    std::memcpy(&bits, &distance, sizeof(bits));
-    return static_cast<std::uint64_t>(bits) << 32 | point;
-  }
-
-private:
-  const Cost_graph& m_graph;
-  std::vector<float> m_distance;
-  std::vector<Index> m_cell;
-  std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<std::uint64_t>>
-      m_front;
-};
+  Cost_graph costs{graph.first, {}};
+  costs.edges.reserve(graph.neighbors.size());
+  for (const Neighbor& edge : graph.neighbors) costs.edges.push_back({edge.point, cost(edge)});
+  return costs;
+}
 
 /// returns the first point of each cell of a coarse voxel grid, about `count`.
 inline std::vector<Index> voxel_seeds(const Oriented_points& points, const std::size_t count)
@@ -202,7 +133,7 @@ inline std::vector<Index> central_points(const Oriented_points& points,
 inline Supervoxels build_supervoxels(const Oriented_points& points, const Neighbor_graph& graph,
                                      const std::size_t count, const double concavity_tolerance)
 {
-  const Cost_graph costs(graph, Edge_cost(concavity_tolerance));
+  const Cost_graph costs = cost_graph(graph, Edge_cost(concavity_tolerance));
   Supervoxels result;
   std::vector<Index> centers;
   {

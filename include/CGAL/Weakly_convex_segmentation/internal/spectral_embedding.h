@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LOW_PASS_H
-#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LOW_PASS_H
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_EMBEDDING_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_EMBEDDING_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
 
@@ -14,7 +14,8 @@
 #include <utility>
 #include <vector>
 
-// The space of the lowest eigenvectors of a graph's normalized Laplacian, by a polynomial filter.
+// The nodes of a graph in the space of the lowest eigenvectors of its normalized Laplacian (section 4,
+// "Initial patches"), by a polynomial filter of its spectrum instead of the eigenvectors themselves.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -167,8 +168,8 @@ inline void orthonormalize_columns(Row_matrix& rows)
 
 /// returns the nodes' coordinates, of unit length, in a space of `count` dimensions near that of the
 /// lowest eigenvectors: what is left of the indicators of `cells` when high frequencies are taken away.
-inline Row_matrix low_pass_rows(const Normalized_graph& graph, const std::vector<Index>& cells,
-                                const std::size_t count)
+inline Row_matrix spectral_embedding(const Normalized_graph& graph, const std::vector<Index>& cells,
+                                     const std::size_t count)
 {
   constexpr std::size_t degree = 36; // the step is then about as wide as a tenth of the spectrum
   Row_matrix rows(graph.size(), count);
@@ -192,4 +193,4 @@ inline Row_matrix low_pass_rows(const Normalized_graph& graph, const std::vector
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL
 
-#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LOW_PASS_H
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_EMBEDDING_H
