@@ -208,6 +208,21 @@ BOOST_AUTO_TEST_CASE(straight_borders_on_a_plane_stay)
   }
 }
 
+BOOST_AUTO_TEST_CASE(seams_are_cut_alike_by_any_number_of_threads)
+{
+  const Surface surface(plane(60).raw, 8);
+  const auto jagged = surface.labels( // a checkerboard of nine with toothed borders
+      [](const Coordinates& p)
+      {
+        const auto third = [](const double t) { return (std::min)(2, static_cast<int>(3. * t)); };
+        return third(p[0] + 0.2 * zigzag(p)) + 3 * third(p[1]);
+      });
+  std::vector<int> one = jagged, several = jagged;
+  BOOST_CHECK_GT(refine_borders(surface.graph, rule(Refinement_rule::SEAM_CUTS), one, false), 20u);
+  refine_borders(surface.graph, rule(Refinement_rule::SEAM_CUTS), several, true);
+  BOOST_CHECK(one == several);
+}
+
 BOOST_AUTO_TEST_CASE(no_refinement_moves_nothing)
 {
   const Surface surface(concave_corner(30, 0.02));
