@@ -211,11 +211,14 @@ BOOST_AUTO_TEST_CASE(straight_borders_on_a_plane_stay)
 BOOST_AUTO_TEST_CASE(seams_are_cut_alike_by_any_number_of_threads)
 {
   const Surface surface(plane(60).raw, 8);
-  const auto jagged = surface.labels( // a checkerboard of nine with toothed borders
+  // so many small squares with toothed borders that every cut touches others
+  const auto jagged = surface.labels(
       [](const Coordinates& p)
       {
-        const auto third = [](const double t) { return (std::min)(2, static_cast<int>(3. * t)); };
-        return third(p[0] + 0.2 * zigzag(p)) + 3 * third(p[1]);
+        const auto eighth = [](const double t)
+        { return (std::max)(0, (std::min)(7, static_cast<int>(8. * t))); };
+        return eighth(p[0] + 0.3 * zigzag(p)) +
+               8 * eighth(p[1] + 0.3 * zigzag({p[1], 3. * p[0], 0.}));
       });
   std::vector<int> one = jagged, several = jagged;
   BOOST_CHECK_GT(refine_borders(surface.graph, rule(Refinement_rule::SEAM_CUTS), one, false), 20u);
