@@ -91,7 +91,8 @@ std::vector<Knob> knobs_of_default()
   using P = Parameters;
   std::vector<Knob> knobs = common_knobs();
   add_cost(knobs, "merging_cost", &P::merging_cost);
-  for (const Knob& more : {knob("patch_concavity_tolerance", &P::patch_concavity_tolerance, true),
+  for (const Knob& more : {knob("grazing_tolerance", &P::grazing_tolerance, true),
+                           knob("patch_concavity_tolerance", &P::patch_concavity_tolerance, true),
                            knob("diameter_cone_angle", &P::diameter_cone_angle, true),
                            knob("diameter_samples", &P::diameter_samples, true),
                            knob("diameter_rays", &P::diameter_rays, true),

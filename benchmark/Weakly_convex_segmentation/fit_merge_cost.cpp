@@ -10,8 +10,8 @@
 //   fit_merge_cost score_cut FOLDER TABLES THRESHOLD...             the same after refining borders
 //   fit_merge_cost names                                            features and their directions
 //
-// VARIANT is what the models are turned into: mesh, points, half, surface, two_views, four_views, and
-// NAME=VALUE is a member of Parameters. TABLES is a folder with tables of trees, K.txt, and folds.txt,
+// VARIANT is what the models are turned into: mesh, points, half, surface, one_view, two_views,
+// four_views, noisy_scan, and NAME=VALUE is a member of Parameters. TABLES is a folder with tables of trees, K.txt, and folds.txt,
 // which names a model and its table a line; with `samples` the pairs are then those on the trees' own
 // path instead of the default cost's.
 

@@ -73,6 +73,7 @@ inline std::map<std::string, Setter> setters()
       {"samples_per_patch", setter(&P::samples_per_patch)},
       {"disk_radius_factor", setter(&P::disk_radius_factor)},
       {"clearance_factor", setter(&P::clearance_factor)},
+      {"grazing_tolerance", setter(&P::grazing_tolerance)},
       {"outside_tolerance", setter(&P::outside_tolerance)},
       {"rays_for_early_decision", setter(&P::rays_for_early_decision)},
       {"maximum_rays_per_pair", setter(&P::maximum_rays_per_pair)},

@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_SHAPE_VARIANTS_H
 
 #include "princeton_benchmark.h"
+#include "virtual_scanner.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
@@ -31,20 +32,26 @@ using WCS::internal::Raw_points;
 
 enum class Variant
 {
-  MESH,      ///< as it is
-  POINTS,    ///< face centroids without the mesh
-  HALF,      ///< a random half of the face centroids
-  SURFACE,   ///< 10,000 points spread evenly over the surface
-  TWO_VIEWS, ///< the face centroids that are seen from two random sides
-  FOUR_VIEWS ///< the same from four sides
+  MESH,       ///< as it is
+  POINTS,     ///< face centroids without the mesh
+  HALF,       ///< a random half of the face centroids
+  SURFACE,    ///< 10,000 points spread evenly over the surface
+  ONE_VIEW,   ///< the face centroids that are seen from a random side
+  TWO_VIEWS,  ///< the same from two sides
+  FOUR_VIEWS, ///< the same from four sides
+  NOISY_SCAN  ///< what a depth camera with realistic noise sees from 1, 2, 4 or 8 sides
 };
 
 inline Variant variant_of_name(const std::string& name)
 {
-  const std::vector<std::pair<Variant, std::string>> names = {
-      {Variant::MESH, "mesh"},           {Variant::POINTS, "points"},
-      {Variant::HALF, "half"},           {Variant::SURFACE, "surface"},
-      {Variant::TWO_VIEWS, "two_views"}, {Variant::FOUR_VIEWS, "four_views"}};
+  const std::vector<std::pair<Variant, std::string>> names = {{Variant::MESH, "mesh"},
+                                                              {Variant::POINTS, "points"},
+                                                              {Variant::HALF, "half"},
+                                                              {Variant::SURFACE, "surface"},
+                                                              {Variant::ONE_VIEW, "one_view"},
+                                                              {Variant::TWO_VIEWS, "two_views"},
+                                                              {Variant::FOUR_VIEWS, "four_views"},
+                                                              {Variant::NOISY_SCAN, "noisy_scan"}};
   for (const auto& [variant, its_name] : names)
     if (name == its_name) return variant;
   throw std::invalid_argument("there is no variant '" + name + "'");
@@ -129,6 +136,18 @@ inline Variant_shape surface_points(const SM::Mesh& mesh, const Raw_points& whol
   return shape;
 }
 
+inline Variant_shape noisy_scan(const SM::Mesh& mesh, const unsigned int seed)
+{
+  std::mt19937 random(seed);
+  const auto scan = Virtual_scanner::scan_mesh(mesh, std::size_t(1) << random() % 4,
+                                               Virtual_scanner::realistic_camera(), seed);
+  Variant_shape shape;
+  shape.raw.positions.assign(scan.points.begin(), scan.points.end());
+  shape.raw.normals.assign(scan.normals.begin(), scan.normals.end());
+  shape.faces = scan.faces;
+  return shape;
+}
+
 inline Variant_shape make_variant(const SM::Mesh& mesh, const Variant variant,
                                   const unsigned int seed)
 {
@@ -142,9 +161,11 @@ inline Variant_shape make_variant(const SM::Mesh& mesh, const Variant variant,
     return shape;
   }
   if (variant == Variant::SURFACE) return surface_points(mesh, shape.raw, 10000, random);
+  if (variant == Variant::NOISY_SCAN) return noisy_scan(mesh, seed);
   std::vector<char> keep(shape.raw.positions.size(), 1);
   if (variant == Variant::HALF)
     for (char& k : keep) k = random() % 2 == 0 ? 1 : 0;
+  if (variant == Variant::ONE_VIEW) keep = seen_faces(shape.raw, 1, random);
   if (variant == Variant::TWO_VIEWS) keep = seen_faces(shape.raw, 2, random);
   if (variant == Variant::FOUR_VIEWS) keep = seen_faces(shape.raw, 4, random);
   return kept_centroids(shape.raw, keep);

@@ -90,18 +90,24 @@ Vector3 random_vector(std::mt19937& random, const float size)
   return {x, y, number()};
 }
 
-std::vector<Disk> random_disks(const std::size_t count, std::mt19937& random)
+/// disks whose normals are all across the first axis, but for a share of `unevenness`
+std::vector<Disk> random_disks(const std::size_t count, const float unevenness,
+                               std::mt19937& random)
 {
   std::vector<Disk> disks;
   for (std::size_t i = 0; i < count; ++i)
-    disks.push_back({random_vector(random, 0.5f), normalized(random_vector(random, 1.f)),
+  {
+    Vector3 normal = random_vector(random, 1.f);
+    normal.x *= unevenness;
+    disks.push_back({random_vector(random, 0.5f), normalized(normal),
                      0.06f * static_cast<float>(uniform(random))});
+  }
   return disks;
 }
 
 /// the definition in double precision; the last argument receives how near the decision was
 bool occludes(const Disk& disk, const Vector3& p, const Vector3& q, const double clearance,
-              double& margin)
+              const double least_sine, double& margin)
 {
   const auto product = [](const Vector3& a, const Vector3& b)
   { return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z; };
@@ -111,9 +117,11 @@ bool occludes(const Disk& disk, const Vector3& p, const Vector3& q, const double
   const double from_center = std::sqrt(product(miss, miss)) - disk.radius;
   const double from_p = length(disk.center - p) - clearance * disk.radius;
   const double from_q = length(disk.center - q) - clearance * disk.radius;
-  margin = (std::min)(
-      {std::abs(t), std::abs(1. - t), std::abs(from_center), std::abs(from_p), std::abs(from_q)});
-  return t > 0. && t < 1. && from_center < 0. && from_p > 0. && from_q > 0.;
+  const double sine =
+      std::abs(product(disk.normal, direction)) / std::sqrt(product(direction, direction));
+  margin = (std::min)({std::abs(t), std::abs(1. - t), std::abs(from_center), std::abs(from_p),
+                       std::abs(from_q), least_sine > 0. ? std::abs(sine - least_sine) : 1.});
+  return t > 0. && t < 1. && from_center < 0. && from_p > 0. && from_q > 0. && sine >= least_sine;
 }
 
 /// a pipe along z from 0 to 1: an outer wall of radius 1 and an inner one of radius 0.8
@@ -152,53 +160,101 @@ BOOST_AUTO_TEST_CASE(a_line_crosses_a_disk)
   BOOST_CHECK_EQUAL(where(above, below, 6.f), none);
 }
 
+/// compares lines and rays through a tree with all disks
+struct Tree_check
+{
+  std::size_t hits = 0, misses = 0, exits = 0, unclear = 0, grazing = 0;
+
+  void line(const Disk_tree& tree, const std::vector<Disk>& disks, const float clearance,
+            const float least_sine, const Vector3& p, const Vector3& q)
+  {
+    bool hit = false, steep_or_not = false, clear = true;
+    for (const Disk& disk : disks)
+    {
+      double margin = 0.;
+      hit = occludes(disk, p, q, clearance, least_sine, margin) || hit;
+      clear = clear && margin > 1e-5;
+      BOOST_REQUIRE(margin < 1e-5 ||
+                    occludes(disk, p, q, clearance, least_sine, margin) ==
+                        (crossing(Line_of_sight(p, q), disk, clearance, least_sine) < 1.f));
+      steep_or_not = steep_or_not || occludes(disk, p, q, clearance, 0., margin);
+    }
+    const bool found = !tree.unoccluded(p, q);
+    if (clear) BOOST_REQUIRE_EQUAL(found, hit);
+    unclear += clear ? 0 : 1;
+    (hit ? hits : misses) += 1;
+    grazing += steep_or_not && !hit ? 1 : 0;
+  }
+  void ray(const Disk_tree& tree, const std::vector<Disk>& disks, const float clearance,
+           const Vector3& p, const Vector3& direction)
+  {
+    float first = std::numeric_limits<float>::infinity();
+    const Line_of_sight line(p, p + 2.f * direction); // no clearance at the end of a ray
+    for (const Disk& disk : disks)
+      if (dot(disk.normal, direction) > 0.f)
+      {
+        const float t = crossing(line, disk, clearance);
+        if (t < 0.5f) first = (std::min)(first, 2.f * t);
+      }
+    const auto exit = tree.first_exit(p, direction, 1.f);
+    BOOST_REQUIRE_EQUAL(std::isfinite(exit.distance), std::isfinite(first));
+    if (!std::isfinite(first)) return;
+    ++exits;
+    BOOST_REQUIRE_CLOSE(exit.distance, first, 1e-3);
+  }
+};
+
 BOOST_AUTO_TEST_CASE(the_tree_finds_what_brute_force_finds)
 {
   std::mt19937 random(1);
-  std::size_t hits = 0, misses = 0, exits = 0, unclear = 0;
+  Tree_check check;
+  const float clearance = 2.f;
   for (const std::size_t count : {1u, 2u, 3u, 40u, 700u})
-  {
-    const std::vector<Disk> disks = random_disks(count, random);
-    const float clearance = 2.f;
-    const Disk_tree tree(disks, clearance);
-    BOOST_CHECK_EQUAL(tree.size(), count);
-    for (int line = 0; line < 1500; ++line)
-    {
-      const Vector3 p = random_vector(random, 0.6f), q = random_vector(random, 0.6f);
-      bool hit = false, clear = true;
-      for (const Disk& disk : disks)
+    for (const float unevenness : {1.f, 0.02f})
+      for (const float least_sine : {0.f, 0.3f})
       {
-        double margin = 0.;
-        hit = occludes(disk, p, q, clearance, margin) || hit;
-        clear = clear && margin > 1e-5;
-      }
-      const bool found = !tree.unoccluded(p, q);
-      if (clear) BOOST_REQUIRE_EQUAL(found, hit);
-      unclear += clear ? 0 : 1;
-      (hit ? hits : misses) += 1;
-
-      const Vector3 direction = normalized(q - p);
-      float first = std::numeric_limits<float>::infinity();
-      const Line_of_sight ray(p, p + 2.f * direction); // no clearance at the end of a ray
-      for (const Disk& disk : disks)
-        if (dot(disk.normal, direction) > 0.f)
+        const std::vector<Disk> disks = random_disks(count, unevenness, random);
+        const Disk_tree tree(disks, clearance, least_sine);
+        BOOST_CHECK_EQUAL(tree.size(), count);
+        for (int line = 0; line < 400; ++line)
         {
-          const float t = crossing(ray, disk, clearance);
-          if (t < 0.5f) first = (std::min)(first, 2.f * t);
+          const Vector3 p = random_vector(random, 0.6f);
+          Vector3 q = random_vector(random, 0.6f);
+          if (line % 2 == 0)
+            q = {q.x, p.y + 0.05f * q.y, p.z + 0.05f * q.z}; // along the first axis
+          check.line(tree, disks, clearance, least_sine, p, q);
+          check.ray(tree, disks, clearance, p, normalized(q - p));
         }
-      const auto exit = tree.first_exit(p, direction, 1.f);
-      BOOST_REQUIRE_EQUAL(std::isfinite(exit.distance), std::isfinite(first));
-      if (std::isfinite(first))
-      {
-        ++exits;
-        BOOST_REQUIRE_CLOSE(exit.distance, first, 1e-3);
       }
+  BOOST_CHECK_GT(check.hits, 300u);
+  BOOST_CHECK_GT(check.misses, 300u);
+  BOOST_CHECK_GT(check.exits, 300u);
+  BOOST_CHECK_GT(check.grazing, 10u);
+  BOOST_CHECK_LT(check.unclear, (check.hits + check.misses) / 10);
+}
+
+BOOST_AUTO_TEST_CASE(the_bound_of_normals_holds_and_is_tight_along_a_wire)
+{
+  std::mt19937 random(2);
+  for (const float unevenness : {1.f, 0.1f, 0.001f, 0.f})
+  {
+    const std::vector<Disk> disks = random_disks(300, unevenness, random);
+    const Normal_bound bound(disks.begin(), disks.end(),
+                             [](const Disk& disk) { return disk.normal; });
+    for (int line = 0; line < 300; ++line)
+    {
+      const Vector3 direction = random_vector(random, 1.f);
+      float steepest = 0.f;
+      for (const Disk& disk : disks)
+        steepest = (std::max)(steepest, std::abs(dot(disk.normal, direction)));
+      BOOST_REQUIRE_GE(bound.squared_slope(direction), steepest * steepest);
+      BOOST_REQUIRE_LE(bound.least_squared_slope() * squared_length(direction),
+                       1.0001 * bound.squared_slope(direction));
     }
+    const double along = bound.squared_slope({1.f, 0.f, 0.f});
+    BOOST_CHECK_GE(along, bound.least_squared_slope());
+    if (unevenness < 0.01f) BOOST_CHECK_LT(along, 1e-4);
   }
-  BOOST_CHECK_GT(hits, 300u);
-  BOOST_CHECK_GT(misses, 300u);
-  BOOST_CHECK_GT(exits, 300u);
-  BOOST_CHECK_LT(unclear, (hits + misses) / 10);
 }
 
 BOOST_AUTO_TEST_CASE(first_exit_stops_at_its_reach)
@@ -273,6 +329,27 @@ BOOST_AUTO_TEST_CASE(disks_and_clearance_follow_their_parameters)
                          holes.at({1., 0.06, 0.41}, {1., 0., 0.})));
   const std::vector<Disk> disks = make_disks(scene.points, scene.graph, 2.5);
   BOOST_CHECK_CLOSE(disks[100].radius, 2.5f * scene.graph.spacing[100], 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(a_rough_flat_surface_does_not_blind_its_points_where_grazing_lines_pass)
+{
+  std::mt19937 random(3);
+  Raw_points raw; // a square with bumps of a fiftieth of the distance between points
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j)
+      add_point(raw, {i / 60., j / 60., uniform(random) / 3000.}, {0., 0., 1.});
+  const auto share_seen = [&](const double tolerance)
+  {
+    Parameters parameters;
+    parameters.grazing_tolerance = tolerance;
+    const Scene scene(raw, parameters);
+    std::size_t seen = 0, all = 0;
+    for (Index i = 0; i < 3600; i += 37)
+      for (Index j = 0; j < i; j += 41, ++all) seen += scene.sees(i, j) ? 1 : 0;
+    return static_cast<double>(seen) / static_cast<double>(all);
+  };
+  BOOST_CHECK_LT(share_seen(0.), 0.5);
+  BOOST_CHECK_GT(share_seen(2.), 0.95);
 }
 
 BOOST_AUTO_TEST_CASE(visibility_of_patches_is_symmetric_and_kept)

@@ -142,6 +142,10 @@ struct Parameters
   /// disks whose center is nearer to an end of a line of sight than so many of their radii do not
   /// occlude it; `[0, 100]`
   double clearance_factor = 2.;
+  /// A disk does not occlude a line of sight that meets it at fewer degrees: over a flat surface of
+  /// which nothing is seen from behind, noise of a thousandth would else blind all points to each
+  /// other; `[0, 89]`
+  double grazing_tolerance = 2.;
   /// A line of sight may leave the surface to the outside by so many degrees; `[0, 90]`. With 90
   /// there is no such test and lines that pass outside of the shape count when unoccluded.
   double outside_tolerance = 90.;
@@ -254,6 +258,7 @@ inline Parameters Parameters::paper()
   p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
   p.number_of_patches = 100;    // silent; the trial of the method used 100
   p.patch_concavity_tolerance = 0.;
+  p.grazing_tolerance = 0.; // section 3: every disk on the line occludes it
   p.rays_for_early_decision = 0;
   p.maximum_rays_per_pair = 0;
   p.merging = Merging_rule::PAPER;
@@ -316,6 +321,7 @@ inline void Parameters::check() const
   check("samples_per_patch", samples_per_patch, 1., 100.);
   check("disk_radius_factor", disk_radius_factor, 1e-6, 10.);
   check("clearance_factor", clearance_factor, 0., 100.);
+  check("grazing_tolerance", grazing_tolerance, 0., 89.);
   check("outside_tolerance", outside_tolerance, 0., 90.);
   for (const double theta : fusion_thresholds) check("fusion_thresholds", theta, 0., 1.);
   check("signature_threshold", signature_threshold, 0., 1.);

@@ -4,6 +4,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_DISK_TREE_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_DISK_TREE_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Disk.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Normal_bound.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
 
 #include <Eigen/Core>
@@ -24,50 +26,6 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// A point's share of the surface.
-struct Disk
-{
-  Vector3 center;
-  Vector3 normal; ///< unit length
-  float radius;
-};
-
-/// A segment between two points of the shape.
-struct Line_of_sight
-{
-  Vector3 source;
-  Vector3 direction;  ///< target - source, not normalized
-  Vector3 reciprocal; ///< componentwise 1 / direction
-  float limit = 1.f;  ///< only the part up to source + limit * direction counts
-
-  Line_of_sight(const Vector3& from, const Vector3& to) : source(from), direction(to - from)
-  {
-    // a huge finite number instead of infinity keeps 0 * inf = NaN out of the slab test
-    const auto inverse = [](const float d)
-    { return std::abs(d) > 1e-20f ? 1.f / d : (d < 0.f ? -1e20f : 1e20f); };
-    reciprocal = {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
-  }
-};
-
-/// returns where the line crosses the disk, as a factor of its direction; infinity if it does not, or
-/// if the disk's center is within `clearance` radii of an end: the ends lie on the surface, and disks
-/// there would hide every point behind its own neighborhood.
-inline float crossing(const Line_of_sight& line, const Disk& disk, const float clearance)
-{
-  constexpr float none = (std::numeric_limits<float>::max)();
-  const float slope = dot(disk.normal, line.direction);
-  if (slope == 0.f) return none;
-  const Vector3 to_center = disk.center - line.source;
-  const float t = dot(disk.normal, to_center) / slope;
-  if (!(t > 0.f && t < line.limit)) return none;
-  const float r2 = disk.radius * disk.radius;
-  if (squared_length(t * line.direction - to_center) > r2) return none;
-  const float cleared = clearance * clearance * r2;
-  if (squared_length(to_center) < cleared) return none;
-  if (squared_length(to_center - line.direction) < cleared) return none;
-  return t;
-}
 
 /// Where a ray met the surface.
 struct Ray_hit
@@ -97,7 +55,10 @@ class Disk_tree
   {
     std::array<std::array<Four, 3>, 2> bounds; ///< low and high ends
     std::array<std::uint32_t, 4> child;
+    std::uint32_t bound =
+        no_bound; ///< of the normals below, where there are lines that graze them all
   };
+  static constexpr std::uint32_t no_bound = 0xffffffffu;
   static constexpr std::uint32_t first_leaf = 0x80000000u;
 
   struct Box
@@ -122,12 +83,14 @@ class Disk_tree
     const Line_of_sight& line;
     std::array<float, 3> source, reciprocal, direction;
     std::array<int, 3> near_end; ///< which end of a box the line meets first, by axis
+    float least_squared_slope;   ///< at a lower one, a line grazes a disk
 
-    explicit Query(const Line_of_sight& l)
+    Query(const Line_of_sight& l, const float least_squared_sine)
       : line(l), source{l.source.x, l.source.y, l.source.z},
         reciprocal{l.reciprocal.x, l.reciprocal.y, l.reciprocal.z}, direction{l.direction.x,
                                                                               l.direction.y,
-                                                                              l.direction.z}
+                                                                              l.direction.z},
+        least_squared_slope(least_squared_sine * squared_length(l.direction))
     {
       for (int c = 0; c < 3; ++c) near_end[c] = reciprocal[c] < 0.f ? 1 : 0;
     }
@@ -138,8 +101,11 @@ public:
   using Hint = std::uint32_t;
   static constexpr Hint no_hint = 0;
 
-  Disk_tree(const std::vector<Disk>& disks, const float clearance)
-    : m_squared_clearance(clearance * clearance), m_size(disks.size())
+  /// Lines of sight, but not rays, pass a disk whose plane they meet at an angle with a sine under
+  /// `least_sine`.
+  Disk_tree(const std::vector<Disk>& disks, const float clearance, const float least_sine = 0.f)
+    : m_squared_clearance(clearance * clearance), m_least_squared_sine(least_sine * least_sine),
+      m_size(disks.size())
   {
     std::vector<Entry> entries;
     entries.reserve(disks.size());
@@ -179,6 +145,7 @@ private:
   static Box box_of(Entries first, Entries last);
   std::uint32_t build(Entries first, Entries last, Box& box);
   std::uint32_t add_leaf(Entries first, Entries last);
+  std::uint32_t add_bound(Entries first, Entries last);
   Ray_hit first_hit(const Vector3& p, const Vector3& direction, float reach, float side) const;
 
   /// fills how far inside of each child's box the line goes, negative if it misses it, and where it
@@ -223,15 +190,25 @@ private:
     Four slope, margin;
     const Four t = crossings(leaf, query, slope, margin);
     for (int k = 0; k < 4; ++k) // a line within the plane of a disk has no finite t
-      if (t[k] > 0.f && t[k] < query.line.limit && margin[k] >= 0.f) return true;
+      if (t[k] > 0.f && t[k] < query.line.limit && margin[k] >= 0.f &&
+          slope[k] * slope[k] >= query.least_squared_slope)
+        return true;
     return false;
   }
 
-  float m_squared_clearance;
+  /// returns whether the line grazes all disks of a node.
+  bool grazes(const Node& node, const Query& query) const
+  {
+    return node.bound != no_bound &&
+           m_bounds[node.bound].squared_slope(query.line.direction) < query.least_squared_slope;
+  }
+
+  float m_squared_clearance, m_least_squared_sine;
   std::size_t m_size;
   std::uint32_t m_root = first_leaf;
   std::vector<Node> m_nodes;
   std::vector<Leaf> m_leaves;
+  std::vector<Normal_bound> m_bounds;
 };
 
 inline Disk_tree::Box Disk_tree::box_of(Entries first, const Entries last)
@@ -271,6 +248,16 @@ inline std::uint32_t Disk_tree::add_leaf(const Entries first, const Entries last
   return first_leaf + static_cast<std::uint32_t>(m_leaves.size() - 1);
 }
 
+inline std::uint32_t Disk_tree::add_bound(const Entries first, const Entries last)
+{
+  if (m_least_squared_sine == 0.f) return no_bound;
+  const Normal_bound bound(first, last,
+                           [](const Entry& e) -> const Vector3& { return e.disk.normal; });
+  if (bound.least_squared_slope() >= m_least_squared_sine) return no_bound;
+  m_bounds.push_back(bound);
+  return static_cast<std::uint32_t>(m_bounds.size() - 1);
+}
+
 /// halves the disks twice, each time along the longest axis of their box, with full leaves.
 inline std::uint32_t Disk_tree::build(const Entries first, const Entries last, Box& box)
 {
@@ -297,6 +284,7 @@ inline std::uint32_t Disk_tree::build(const Entries first, const Entries last, B
   const std::size_t own = m_nodes.size();
   m_nodes.emplace_back();
   Node node;
+  node.bound = add_bound(first, last);
   constexpr float nowhere = 1e30f; // no line enters a box whose low end is beyond its high end
   for (int k = 0; k < 4; ++k)
   {
@@ -315,7 +303,7 @@ inline std::uint32_t Disk_tree::build(const Entries first, const Entries last, B
 inline bool Disk_tree::unoccluded(const Vector3& p, const Vector3& q, Hint& hint) const
 {
   const Line_of_sight line(p, q);
-  const Query query(line);
+  const Query query(line, m_least_squared_sine);
   if (hint >= first_leaf && occludes(m_leaves[hint - first_leaf], query)) return false;
   std::array<std::uint32_t, 64> stack; // the tree is balanced: at most 3 a level wait
   std::size_t waiting = 0;
@@ -329,6 +317,7 @@ inline bool Disk_tree::unoccluded(const Vector3& p, const Vector3& q, Hint& hint
       hint = next;
       return false;
     }
+    if (grazes(m_nodes[next], query)) continue;
     Four entry;
     const Four inside = overlap(m_nodes[next], query, line.limit, entry);
     for (int k = 0; k < 4; ++k)
@@ -344,7 +333,7 @@ inline Ray_hit Disk_tree::first_hit(const Vector3& p, const Vector3& direction, 
 {
   // twice as long as it counts: nothing is cleared at the end of a ray, which is on no surface
   const Line_of_sight line(p, p + 2.f * reach * direction);
-  const Query query(line);
+  const Query query(line, 0.f);
   float nearest = 0.5f;
   Index disk = Ray_hit::none;
   std::array<std::pair<float, std::uint32_t>, 64> stack;

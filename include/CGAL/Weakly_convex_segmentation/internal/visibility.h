@@ -55,7 +55,8 @@ class Sight
 public:
   Sight(const Oriented_points& points, const Neighbor_graph& graph, const Parameters& parameters)
     : m_points(points), m_tree(make_disks(points, graph, parameters.disk_radius_factor),
-                               static_cast<float>(parameters.clearance_factor)),
+                               static_cast<float>(parameters.clearance_factor),
+                               std::sin(radians(parameters.grazing_tolerance))),
       m_outside_slope(parameters.outside_tolerance < 90.
                           ? std::sin(radians(parameters.outside_tolerance))
                           : 2.f)
