@@ -19,7 +19,8 @@ SAMPLES = 3  # a side of a pixel
 # Neighbours differ in lightness too, so that the parts can be told apart in grey.
 PALETTE = np.array([(0xe4, 0x9a, 0x3c), (0x3b, 0x7d, 0xb8), (0x8f, 0xc1, 0x6b), (0xc8, 0x55, 0x4b),
                     (0x84, 0x6a, 0xb0), (0xf2, 0xd0, 0x5c), (0x4d, 0xa8, 0xa1), (0xdd, 0x8f, 0xb6),
-                    (0x8c, 0x6b, 0x52), (0xa5, 0xc8, 0xe8), (0x4f, 0x8a, 0x4a), (0xb9, 0xb3, 0xa9)],
+                    (0x8c, 0x6b, 0x52), (0xa5, 0xc8, 0xe8), (0x4f, 0x8a, 0x4a), (0xb9, 0xb3, 0xa9),
+                    (0xea, 0xb4, 0x9e), (0x5b, 0x62, 0x92), (0x9e, 0x40, 0x70), (0x2f, 0x70, 0x66)],
                    float)
 
 
@@ -208,7 +209,7 @@ def titled(picture, title, subtitle="", size=15):
     draw = ImageDraw.Draw(result)
     draw.text((picture.width / 2, size * 0.85), title, fill=(30, 30, 30), font=font(size, True), anchor="mm")
     if subtitle:
-        draw.text((picture.width / 2, size * 2.2), subtitle, fill=(90, 90, 90),
+        draw.text((picture.width / 2, height - size * 0.8), subtitle, fill=(90, 90, 90),
                   font=font(size - 2), anchor="mm")
     result.paste(picture, (0, height))
     return result
@@ -229,6 +230,6 @@ def grid(rows, gap=14):
     return result
 
 
-def save(picture, path, colors=128):
-    picture.quantize(colors, dither=Image.Dither.NONE).save(path, optimize=True)
+def save(picture, path):
+    picture.quantize(256, kmeans=2, dither=Image.Dither.NONE).save(path, optimize=True)
     print(f"{path}: {picture.width} x {picture.height}, {pathlib.Path(path).stat().st_size // 1024} kB")
