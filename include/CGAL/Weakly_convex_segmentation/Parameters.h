@@ -89,7 +89,8 @@ struct Merging_cost
 /// A default constructed object is the default preset, the best that we know; `paper()` has every
 /// value and rule as \cgalCite{cgal:kfkac-ssaca-14} has them. Angles are in degrees; lengths are
 /// relative to the extent of the shape: the diameter of the smallest sphere about the centroid of
-/// the points that holds them all. One set of values serves all shapes. Ranges are given in brackets.
+/// the points that holds them all. One set of values serves all shapes. Ranges are given in brackets; costs and
+/// weights without one are from 0 to 1e6.
 struct Parameters
 {
   /// \name Sampling
@@ -197,12 +198,9 @@ struct Parameters
 
   /// weights of the cost of a merge
   Merging_cost merging_cost = {1., 2.17, 0.52, 0.786, 0.387, 0.347, 0.35, 0.453};
-  /// the highest cost at which patches become components; `[0, 1e6]`
-  double fusion_threshold = 1.0;
-  /// The highest cost at which components become segments; `[0, 1e6]`. Not above `fusion_threshold`:
-  /// all components are segments, but for small ones.
-  double merging_threshold = 1.469;
-  /// Distance of signatures where one of the regions has no diameter; `[0, 1e6]`
+  double fusion_threshold = 1.0;    ///< the highest cost at which patches become components
+  double merging_threshold = 1.469; ///< the highest cost at which components become segments
+  /// Distance of signatures where one of the regions has no diameter; at least 0.
   double missing_diameter_distance = 0.35;
   /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
   double minimum_segment_share = 0.0078;
