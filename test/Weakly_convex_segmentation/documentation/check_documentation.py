@@ -6,13 +6,16 @@
 
   check_documentation.py texts SOURCE_DIR BIN_DIR
   check_documentation.py manual SOURCE_DIR DOXYFILE
+  check_documentation.py figures SOURCE_DIR BUILD_DIR
 
 `texts` reads the Markdown files and the source of the manual, and runs the programs that they tell of;
-`manual` makes the manual and follows the links of its pages. The exit code is 77 where Doxygen is not
-installed, unless the environment variable CI is true.
+`manual` makes the manual and follows the links of its pages; `figures` makes some of its pictures. The exit
+code is 77 where Doxygen, or what draws the pictures, is not installed; but not having Doxygen is an error where
+the environment variable CI is true.
 """
 
 import html.parser
+import importlib.util
 import os
 import pathlib
 import re
@@ -296,11 +299,31 @@ def check_manual(doxyfile):
             yield "the check does not notice broken links"
 
 
+def check_making_of_figures(project, build):
+    """two of them, as all take too long for a test"""
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run([sys.executable, project.source / MANUAL / "make_figures", "--build", build,
+                              "--output", folder, "patches", "views"], capture_output=True, text=True, check=False)
+        for name in ("patches.png", "views.png"):
+            picture = pathlib.Path(folder) / name
+            if run.returncode != 0 or not picture.exists() or picture.read_bytes()[:4] != b"\x89PNG":
+                yield f"make_figures does not make {name}: {run.stderr.strip()}"
+
+
+def has_what_draws():
+    return all(importlib.util.find_spec(name) for name in ("matplotlib", "numpy", "PIL"))
+
+
 def main():
-    if len(sys.argv) != 4 or sys.argv[1] not in ("texts", "manual"):
+    if len(sys.argv) != 4 or sys.argv[1] not in ("texts", "manual", "figures"):
         sys.exit(__doc__)
     if sys.argv[1] == "texts":
         errors = check_texts(sys.argv[2], sys.argv[3])
+    elif sys.argv[1] == "figures" and has_what_draws():
+        errors = check_making_of_figures(Project(sys.argv[2]), sys.argv[3])
+    elif sys.argv[1] == "figures":
+        print("matplotlib or PIL is not installed: no figures are made (scripts/setup.sh report)")
+        sys.exit(77)
     elif shutil.which("doxygen"):
         errors = check_manual(sys.argv[3])
     else:
