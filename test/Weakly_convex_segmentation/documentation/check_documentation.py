@@ -15,7 +15,6 @@ the environment variable CI is true.
 """
 
 import html.parser
-import importlib.util
 import os
 import pathlib
 import re
@@ -299,10 +298,10 @@ def check_manual(doxyfile):
             yield "the check does not notice broken links"
 
 
-def check_making_of_figures(project, build):
+def check_making_of_figures(project, build, python):
     """two of them, as all take too long for a test"""
     with tempfile.TemporaryDirectory() as folder:
-        run = subprocess.run([sys.executable, project.source / MANUAL / "make_figures", "--build", build,
+        run = subprocess.run([python, project.source / MANUAL / "make_figures", "--build", build,
                               "--output", folder, "patches", "views"], capture_output=True, text=True, check=False)
         for name in ("patches.png", "views.png"):
             picture = pathlib.Path(folder) / name
@@ -310,8 +309,13 @@ def check_making_of_figures(project, build):
                 yield f"make_figures does not make {name}: {run.stderr.strip()}"
 
 
-def has_what_draws():
-    return all(importlib.util.find_spec(name) for name in ("matplotlib", "numpy", "PIL"))
+def python_that_draws():
+    """a Python with matplotlib and PIL, which the distribution installs for its own"""
+    for python in (sys.executable, "/usr/bin/python3"):
+        command = [python, "-c", "import matplotlib, numpy, PIL"]
+        if pathlib.Path(python).exists() and subprocess.run(command, capture_output=True, check=False).returncode == 0:
+            return python
+    return None
 
 
 def main():
@@ -319,8 +323,8 @@ def main():
         sys.exit(__doc__)
     if sys.argv[1] == "texts":
         errors = check_texts(sys.argv[2], sys.argv[3])
-    elif sys.argv[1] == "figures" and has_what_draws():
-        errors = check_making_of_figures(Project(sys.argv[2]), sys.argv[3])
+    elif sys.argv[1] == "figures" and python_that_draws():
+        errors = check_making_of_figures(Project(sys.argv[2]), sys.argv[3], python_that_draws())
     elif sys.argv[1] == "figures":
         print("matplotlib or PIL is not installed: no figures are made (scripts/setup.sh report)")
         sys.exit(77)
