@@ -112,8 +112,8 @@ def components(trace, mesh, camera, title):
         chosen = ~between & (of[first] == c)
         view.lines(spots[first[chosen]], spots[second[chosen]], colors[c], 0.8, 0.9)
     parts = View(mesh, camera, SIZE).paint_labels(labels, colors)
-    return grid([[titled(view.picture(), "free lines of sight", "coloured within, grey between components"),
-                  titled(parts.picture(), title, "in the same colours")]])
+    return grid([[titled(view.picture(), "free lines of sight", "colored within, grey between components"),
+                  titled(parts.picture(), title, "in the same colors")]])
 
 
 def profiles(trace, mesh, labels, colors):
@@ -159,7 +159,7 @@ def diameters(trace, mesh, camera):
     colors = label_colors(mesh, labels)
     return grid([[titled(below(view.picture(), bar), "the diameter at each place"),
                   titled(profiles(trace, mesh, labels, colors), "the profiles of six components",
-                         "in the colours of the figure before")]])
+                         "in the colors of the figure before")]])
 
 
 def read_cloud(path):

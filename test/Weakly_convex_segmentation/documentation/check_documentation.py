@@ -52,20 +52,25 @@ class Project:
     def help(self, name):
         """what a program or a script says of its options, None if it is neither"""
         if name not in self.helps:
-            text = None
-            if self.programs and re.fullmatch(r"\w+", name) and (self.programs / name).is_file():
+            self.helps[name] = self._find_help(name)
+        return self.helps[name]
+
+    def _find_help(self, name):
+        for file in self.files:
+            path = pathlib.PurePath(file)
+            if path.name == name and (path.suffix == ".py" or path.parts[0] == "scripts"):
+                return self.read(file)
+            if path.name != name + ".cpp":
+                continue
+            source = self.read(file)
+            if "help" in source and self.programs and (self.programs / name).is_file():
                 run = subprocess.run([self.programs / name, "--help"], capture_output=True, text=True,
                                      timeout=60, check=False)
-                text = run.stdout + run.stderr
-            for file in self.files if "--help" not in (text or "") else []:
-                path = pathlib.PurePath(file)
-                if path.name == name and (path.suffix == ".py" or path.parts[0] == "scripts"):
-                    text = (text or "") + self.read(file)
-                elif path.name == name + ".cpp":  # not built here, or without --help
-                    names = re.findall(r'"(?:--)?([a-z][\w-]*)(?:,\w)?"', self.read(file))
-                    text = (text or "") + "".join(f"\n  --{n}" for n in names)
-            self.helps[name] = text
-        return self.helps[name]
+                return run.stdout + run.stderr
+            # not built here, or without --help: all that may be the name of an option
+            names = re.findall(r'"(?:--)?([a-z][\w-]*)(?:,\w)?"', source)
+            return "".join(f"\n  --{n}" for n in names)
+        return None
 
 
 def code_of(text):
