@@ -117,7 +117,8 @@ weakly_convex_segmentation(const Input& input, LabelMap label_map,
 /// \tparam PolygonRange a model of `ConstRange` of ranges of indices of points
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param points the corners of the polygons; points that none names are allowed
+/// \param points the corners of the polygons; points that none names are allowed,
+///   but have to be finite, too
 /// \param polygons indices from 0, at least 3 each; neither they nor the points are changed
 /// \param parameters the knobs of the algorithm
 /// \param np `point_map`, `geom_traits`, `callback`, `visitor` and `random_seed` of

@@ -25,9 +25,10 @@ namespace Weakly_convex_segmentation {
 ///
 /// The constructor takes most of the time: it measures all that does not depend on thresholds. Then
 /// `segment()` can be called with other thresholds; lines of sight that were cast once are kept.
-/// The object does not refer to the input after construction, but to the visitor and to
-/// what the callback refers to, which have to live as long. Different objects may be used from different threads at once, one object by one thread at
-/// a time, also by its functions that are const. It can be moved, not copied.
+/// The object does not refer to the input after construction, but to the visitor and to what the
+/// callback refers to, which have to live as long. Different objects may be used from different threads at
+/// once, one object by one thread at a time, also by its functions that are const. It can be moved, not
+/// copied.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`
 template <typename ConcurrencyTag = Sequential_tag>

@@ -212,7 +212,8 @@ def check_tutorial(project):
         (pathlib.Path(folder) / "build").mkdir()
         (pathlib.Path(folder) / "build/bin").symlink_to(project.programs.resolve())
         for command in commands:
-            run = subprocess.run(command, shell=True, cwd=folder, capture_output=True, text=True, check=False)
+            run = subprocess.run(command, shell=True, cwd=folder, capture_output=True, text=True,
+                                 check=False)
             if run.returncode != 0:
                 yield f"the tutorial's command '{command}' fails: {run.stderr.strip()}"
 
@@ -226,8 +227,8 @@ def check_readme_programs_run(project):
                 continue
             subprocess.run([project.programs / "make_shapes", "-o", folder, *options, "dumbbell"], check=True)
             with open(pathlib.Path(folder) / shape, "rb") as stream:
-                run = subprocess.run([project.programs / program], stdin=stream, capture_output=True, text=True,
-                                     check=False)
+                run = subprocess.run([project.programs / program], stdin=stream, capture_output=True,
+                                     text=True, check=False)
             if run.returncode != 0 or not re.fullmatch(r"\d+ parts\n", run.stdout):
                 yield f"{program} fails: {run.stdout}{run.stderr}"
 
@@ -297,7 +298,8 @@ def check_manual(doxyfile):
         pages = pathlib.Path(folder) / "html"
         yield from check_pages(pages)
         # and it would be noticed
-        (pages / "broken.html").write_text('<a href="no_such_page.html">a</a><a href="index.html#no_such">b</a>')
+        (pages / "broken.html").write_text('<a href="no_such_page.html">a</a>'
+                                           '<a href="index.html#no_such">b</a>')
         found = list(check_pages(pages))
         if sum("no_such" in error for error in found) != 2:
             yield "the check does not notice broken links"
@@ -306,8 +308,8 @@ def check_manual(doxyfile):
 def check_making_of_figures(project, build, python):
     """two of them, as all take too long for a test"""
     with tempfile.TemporaryDirectory() as folder:
-        run = subprocess.run([python, project.source / MANUAL / "make_figures", "--build", build,
-                              "--output", folder, "patches", "views"], capture_output=True, text=True, check=False)
+        command = [python, project.source / MANUAL / "make_figures", "--build", build, "--output", folder]
+        run = subprocess.run([*command, "patches", "views"], capture_output=True, text=True, check=False)
         for name in ("patches.png", "views.png"):
             picture = pathlib.Path(folder) / name
             if run.returncode != 0 or not picture.exists() or picture.read_bytes()[:4] != b"\x89PNG":
@@ -318,8 +320,9 @@ def python_that_draws():
     """a Python with matplotlib and PIL, which the distribution installs for its own"""
     for python in (sys.executable, "/usr/bin/python3"):
         command = [python, "-c", "import matplotlib, numpy, PIL"]
-        if pathlib.Path(python).exists() and subprocess.run(command, capture_output=True, check=False).returncode == 0:
-            return python
+        if pathlib.Path(python).exists():
+            if subprocess.run(command, capture_output=True, check=False).returncode == 0:
+                return python
     return None
 
 
