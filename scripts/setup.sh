@@ -17,7 +17,7 @@ set -euo pipefail
 build=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libeigen3-dev
        libtbb-dev nlohmann-json3-dev)
 picture=(f3d xvfb xauth)
-test=(libbenchmark-dev clang-14 clang-format-14)
+test=(libbenchmark-dev clang-14 clang-format-14 python3)
 doc=(doxygen)
 report=(python3-matplotlib python3-pil)
 pcl=(libpcl-dev)

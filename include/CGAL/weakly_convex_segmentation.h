@@ -28,13 +28,13 @@ namespace CGAL {
 ///   - a model of `ConstRange` of points: the value type is the key type of the maps;
 ///   - a `CGAL::Point_set_3`, with or without normals: its index is the key type of `LabelMap`;
 ///   - a triangle mesh, model of `FaceListGraph`: the key type of `LabelMap` is its face descriptor;
-///     each face counts as one oriented point.
+///     each face counts as one oriented point, long ones as several (`Parameters::face_sampling_factor`).
 /// \tparam LabelMap a model of `WritablePropertyMap` with value type `int`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param input the shape; it is not changed
-/// \param label_map receives the label of each element, numbered from 0; it is written only when
-///   all has succeeded
+/// \param input the shape, of at most 2^32 - 2 elements, in any unit of length; it is not changed
+/// \param label_map receives the label of each element, numbered from 0 without gaps in the order of the
+///   first element of each; it is written only when all has succeeded
 /// \param parameters the knobs of the algorithm
 /// \param np optional named parameters
 ///
@@ -55,28 +55,43 @@ namespace CGAL {
 ///     \cgalParamDescription{a property map from the vertices of a mesh to points}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{gives the coordinates of points and vectors, which are converted to `double`}
+///     \cgalParamType{a class with `compute_x_3_object()`, `compute_y_3_object()` and
+///       `compute_z_3_object()`, as every kernel has them}
+///     \cgalParamDefault{the member functions `x()`, `y()` and `z()` are called}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{called with the progress from 0 to 1; false stops the run}
+///     \cgalParamDescription{called before the first stage and after each, from the calling thread, with the
+///       progress from 0 to 1; false stops the run}
 ///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{told of the stages}
-///     \cgalParamType{`std::ref()` of an object derived from `Weakly_convex_segmentation::Visitor`}
+///     \cgalParamDescription{told of the stages and merges}
+///     \cgalParamType{`std::ref()` of a model of `WeaklyConvexSegmentationVisitor`}
+///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{takes the place of `Parameters::seed`}
 ///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{`Parameters::seed`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns labels in input order, what is known of each segment, and the merge tree
 ///
-/// \throws std::invalid_argument if there are no elements, a coordinate is not finite, or a parameter
-///   is out of its range
+/// \throws std::invalid_argument if there are no elements or too many, a coordinate is not finite, or a
+///   parameter is out of its range
 /// \throws Weakly_convex_segmentation::Canceled if the callback returns false
 ///
+/// Whatever else the callback, the visitor or a property map throws passes through.
+///
 /// Complexity: O(n log n) for n elements in the neighbor search; all that is not near linear runs on
-/// `Parameters::number_of_representatives` points. The function is reentrant.
+/// `Parameters::number_of_representatives` points.
+///
+/// Thread safety: the function may run in several threads at once, if each has a label map, callback and
+/// visitor of its own. Property maps are read and written by the calling thread alone.
 template <typename ConcurrencyTag = Sequential_tag, typename Input, typename LabelMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Weakly_convex_segmentation::Result
@@ -96,11 +111,26 @@ weakly_convex_segmentation(const Input& input, LabelMap label_map,
 /// surface. Vertices at the same position count as one. For the run, polygons are turned to agree with
 /// most of their piece, and closed pieces that are inside out are turned to the outside.
 ///
-/// \tparam PointRange a model of `ConstRange` of points
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result does not depend on it
+/// \tparam PointRange a model of `ConstRange` of points, or of what the named parameter `point_map` maps to
+///   points
 /// \tparam PolygonRange a model of `ConstRange` of ranges of indices of points
-/// \returns a result with one label a polygon
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param points the corners of the polygons; points that none names are allowed,
+///   but have to be finite, too
+/// \param polygons indices from 0, at least 3 each; neither they nor the points are changed
+/// \param parameters the knobs of the algorithm
+/// \param np `point_map`, `geom_traits`, `callback`, `visitor` and `random_seed` of
+///   `weakly_convex_segmentation()`
+///
+/// \returns a result with one label a polygon, in the order of `polygons`
+///
 /// \throws std::invalid_argument as `weakly_convex_segmentation()`, and for polygons with fewer than
 ///   3 corners or with an index out of range
+/// \throws Weakly_convex_segmentation::Canceled if the callback returns false
+///
+/// Complexity and thread safety are those of `weakly_convex_segmentation()`.
 template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename PolygonRange,
           typename NamedParameters = parameters::Default_named_parameters>
 Weakly_convex_segmentation::Result

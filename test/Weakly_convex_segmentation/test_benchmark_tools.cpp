@@ -284,3 +284,39 @@ BOOST_AUTO_TEST_CASE(scans_are_scored_by_all_methods_and_what_is_measured_is_kep
   BOOST_TEST(error.find("magic") != std::string::npos);
   BOOST_TEST(std::count(error.begin(), error.end(), '\n') == 1);
 }
+
+BOOST_AUTO_TEST_CASE(the_stages_of_a_mesh_are_traced)
+{
+  const Scratch_folder folder;
+  const std::string run = program("trace_stages") + " dumbbell trace.json";
+  BOOST_TEST(exit_code(folder, run + " number_of_patches=30") == 0);
+  const Json trace = Json::parse(folder.read("trace.json"));
+  const std::size_t faces = trace["faces"].size();
+  const auto count = [&](const char* const level)
+  {
+    const auto labels = trace["labels"][level].get<std::vector<int>>();
+    BOOST_TEST(labels.size() == faces);
+    return *std::max_element(labels.begin(), labels.end()) + 1;
+  };
+  BOOST_TEST(count("patches") <= 30);
+  BOOST_TEST(count("components") <= count("patches"));
+  BOOST_TEST(count("segments") <= count("components"));
+  BOOST_TEST(count("merged") == count("segments"));
+
+  const std::size_t patches = trace["visibility"].size();
+  BOOST_TEST(patches == trace["visibility"][0].size());
+  BOOST_TEST(trace["visibility"][0][1] == trace["visibility"][1][0]);
+  const Json& lines = trace["lines"];
+  BOOST_TEST(lines["faces"].size() == 2 * patches);
+  for (std::size_t i = 0; i < 2 * patches; ++i)
+  {
+    const auto& row = lines["seen"][i].get_ref<const std::string&>();
+    BOOST_TEST(row.size() == 2 * patches);
+    BOOST_TEST(row[i] == '1');
+  }
+  for (const Json& sample : trace["diameters"]) BOOST_TEST(sample[0] < faces);
+
+  BOOST_TEST(exit_code(folder, run + " no_such_knob=1") == 1);
+  BOOST_TEST(exit_code(folder, program("trace_stages") + " no_such_shape no.json") == 1);
+  BOOST_TEST(!folder.has("no.json"));
+}

@@ -90,7 +90,8 @@ inline po::options_description described_options(Options& options, Numbers& numb
   add("max-segments", po::value(&numbers.max_segments)->value_name("N"),
       "merge on until there are at most N segments");
   add("min-segment-size", po::value(&numbers.min_segment_share)->value_name("SHARE"),
-      "give segments under this share of the shape, 0 to 1, to a neighbor (default: 0.0092)");
+      "give segments under this share of the shape, 0 to 1, to a neighbor (default: that of "
+      "the preset)");
   add("seed", po::value(&numbers.seed)->value_name("N"), "seed of all random choices (default: 0)");
   add("threads", po::value(&numbers.threads)->value_name("N"),
       "number of threads; the result does not depend on it (default: all)");

@@ -19,7 +19,8 @@ namespace Weakly_convex_segmentation {
 ///
 /// Leaves are the patches, numbered from 0. The merges that made the segments come first; those
 /// after `number_of_accepted_merges()` go on, by growing cost, until one segment is left, so that
-/// a finer or coarser segmentation can be had without running again.
+/// a finer or coarser segmentation can be had without running again. There is one merge less than there are
+/// patches. It may be read from several threads at once.
 class Merge_tree
 {
 public:
@@ -28,10 +29,12 @@ public:
   {
     int first;   ///< a patch of the first region
     int second;  ///< a patch of the second region
-    double cost; ///< cost of the criterion that merged them
+    double cost; ///< cost of the criterion that merged them, without a unit
   };
 
+  /// makes a tree without patches.
   Merge_tree() = default;
+  /// makes a tree of patches that are not merged yet.
   explicit Merge_tree(const std::size_t number_of_patches) : m_number_of_patches(number_of_patches)
   {}
 
@@ -50,6 +53,7 @@ public:
   /// returns the region of each patch when `number_of_segments` are left (at least 1; at most as
   /// many as there are patches).
   /// \throws std::invalid_argument if there are no such regions.
+  /// Complexity: that of `labels_after()`.
   std::vector<int> labels_for(const std::size_t number_of_segments) const
   {
     if (number_of_segments == 0 || number_of_segments > m_number_of_patches)
@@ -60,7 +64,9 @@ public:
   }
 
   /// returns the region of each patch if merging had stopped at the first merge of components, in
-  /// order, that costs more than `threshold`.
+  /// order, that costs more than `threshold`. Costs are on the scale of `Parameters::merging_threshold`
+  /// in the default preset, of `Parameters::fitted_merging_threshold` in the fitted one.
+  /// Complexity: that of `labels_after()`, and linear in the number of merges.
   std::vector<int> labels_at_cost(const double threshold) const
   {
     std::size_t i = m_fusions;

@@ -89,7 +89,8 @@ struct Merging_cost
 /// A default constructed object is the default preset, the best that we know; `paper()` has every
 /// value and rule as \cgalCite{cgal:kfkac-ssaca-14} has them. Angles are in degrees; lengths are
 /// relative to the extent of the shape: the diameter of the smallest sphere about the centroid of
-/// the points that holds them all. One set of values serves all shapes.
+/// the points that holds them all. One set of values serves all shapes. Ranges are given in brackets; costs and
+/// weights without one are from 0 to 1e6.
 struct Parameters
 {
   /// \name Sampling
@@ -98,20 +99,20 @@ struct Parameters
   /// number of nearest neighbors of a point in the neighbor graph (`k`, section 4); `[3, 100]`
   std::size_t number_of_neighbors = 10;
   /// Shapes of more points are thinned to about so many representatives, on which everything that
-  /// is not linear in time runs; at least 100.
+  /// is not linear in time runs; `[100, 1e9]`
   std::size_t number_of_representatives = 20000;
   /// Faces with an edge longer than so many square roots of the mean area of a face get more than one
   /// point, as if they were cut there; the label of a face is that of most of its points. 0: one
   /// point a face; `[0, 1000]`
   double face_sampling_factor = 7.;
-  /// Meshes with fewer faces count as so many, for `face_sampling_factor`; at most 1e6.
+  /// Meshes with fewer faces count as so many, for `face_sampling_factor`; `[0, 1e6]`
   std::size_t minimum_face_samples = 1000;
   /// Whether all normals are turned, for the run, where the shape is closed and its normals point
   /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
   bool flip_inward_normals = true;
   /// whether the faces of a mesh count as neighbors where they share an edge
   bool use_mesh_adjacency = true;
-  /// seed of all random choices
+  /// seed of all random choices; any value
   unsigned int seed = 0;
 
   /// @}
@@ -128,7 +129,7 @@ struct Parameters
   double patch_concavity_tolerance = 5.;
   /// weight of the edges that are too concave, relative to 1 for the others; `[0, 1]`
   double concave_edge_weight = 0.001;
-  /// connected pieces of patches with fewer representatives are given to a neighbor
+  /// connected pieces of patches with fewer representatives are given to a neighbor; `[0, 1e9]`
   std::size_t minimum_patch_size = 5;
 
   /// @}
@@ -172,7 +173,7 @@ struct Parameters
   Fusion_rule fusion = Fusion_rule::EVERY_PAIR; ///< what must exceed the threshold
   /// largest distance of signatures that is merged, relative to the largest one (`sigma`); `[0, 1]`
   double signature_threshold = 0.12;
-  /// adjacencies with at least this ratio of concave to convex seam edges are not merged; at least 0
+  /// adjacencies with at least this ratio of concave to convex seam edges are not merged; `[0, 1e9]`
   double concave_seam_ratio = 0.85;
   /// components of which at most this share of the samples has a diameter are flat; `[0, 1]`
   double flat_share = 0.1;
@@ -185,13 +186,14 @@ struct Parameters
 
   /// bins of a diameter histogram; `[2, 64]`
   std::size_t histogram_bins = 64;
-  /// full opening angle of the cone in which diameters are measured (`alpha`); `(0, 180)`
+  /// full opening angle of the cone in which diameters are measured (`alpha`), degrees; `[0.001, 179]`
   double diameter_cone_angle = 60.;
-  /// `Diameter_rule::WHOLE_SHAPE`: number of points, over the whole shape, with a diameter
+  /// `Diameter_rule::WHOLE_SHAPE`: number of points, over the whole shape, with a diameter;
+  /// `[1, 1e6]`
   std::size_t diameter_samples = 2000;
   /// `Diameter_rule::WHOLE_SHAPE`: rays a point; `[1, 256]`
   std::size_t diameter_rays = 16;
-  /// a seam edge is concave from this angle on (`epsilon`); `[0, 180)`
+  /// a seam edge is concave from this angle on (`epsilon`), degrees; `[0, 179]`
   double seam_concavity_tolerance = 10.2;
 
   /// @}
@@ -221,20 +223,21 @@ struct Parameters
   /// \name All contractions
   /// @{
 
-  /// the contraction goes on until there are at most so many segments; 0: no limit
+  /// The contraction goes on until there are at most so many segments; 0: no limit. It does not make
+  /// more segments than there would be without.
   std::size_t maximum_number_of_segments = 0;
 
   /// @}
   /// \name Border refinement (section 5)
   /// @{
 
-  /// half width of the band in which a border may move; `[0, 1]`
+  /// half width of the band in which a border may move, relative to the extent; `[0, 1]`, 0: nothing moves
   double band_width = 0.015;
-  /// exponent of the distance in the data cost (equation 4); at least 0
+  /// exponent of the distance in the data cost (equation 4); `[0, 100]`
   double data_exponent = 1.5;
-  /// weight of the data cost against the smoothness cost; at least 0
+  /// weight of the data cost against the smoothness cost; `[0, 1e6]`
   double data_weight = 1.;
-  /// `Refinement_rule::SEAM_CUTS`: concavity in degrees that halves the cost of an edge; above 0
+  /// `Refinement_rule::SEAM_CUTS`: concavity in degrees that halves the cost of an edge; `[0.001, 180]`
   double smoothness_angle = 10.;
 
   /// @}
@@ -247,6 +250,7 @@ struct Parameters
   /// from two and four sides); all else is as in the default preset.
   static Parameters fitted();
 
+  /// checks all ranges; a segmentation does so before its first stage.
   /// \throws std::invalid_argument naming the first parameter that is out of its range.
   void check() const;
 };

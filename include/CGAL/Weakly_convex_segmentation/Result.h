@@ -17,16 +17,18 @@ namespace Weakly_convex_segmentation {
 /// What is known of one segment.
 struct Segment
 {
-  std::size_t size = 0;       ///< number of input elements (points or faces) with its label
-  double convexity_rank = 0.; ///< share of the pairs of its points in line of sight, `[0, 1]`
-  double diameter = 0.;       ///< median shape diameter in units of the input; 0: none measured
+  std::size_t size = 0; ///< number of input elements (points or faces) with its label
+  /// share of the pairs of its points in line of sight, `[0, 1]`, from a sample of 40 points; 1: convex
+  double convexity_rank = 0.;
+  double diameter = 0.; ///< median shape diameter in units of the input; 0: none measured
   std::vector<std::size_t> neighbors; ///< labels of the adjacent segments, ascending
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// The outcome of a segmentation.
 ///
-/// Labels are numbered from 0 without gaps, in the order of the first element in which they occur.
+/// Labels are numbered from 0 without gaps, in the order of the first element in which they occur. It is a
+/// value that refers to nothing else: it may be copied, and read from several threads at once.
 struct Result
 {
   std::vector<int> labels;       ///< label of each input element, in input order
@@ -43,7 +45,9 @@ struct Result
   std::size_t number_of_segments() const { return segments.size(); }
 
   /// returns one label an input element, in input order: the segments with their refined borders, or
-  /// the patches or components as they were merged, without refinement.
+  /// the patches or components as they were merged, without refinement. Labels of regions without an
+  /// element, which are possible on meshes, are left out: there may be gaps.
+  /// Complexity: linear in the number of elements.
   std::vector<int> labels_at(const Level level) const
   {
     if (level == Level::SEGMENTS) return labels;

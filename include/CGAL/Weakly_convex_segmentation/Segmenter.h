@@ -25,15 +25,18 @@ namespace Weakly_convex_segmentation {
 ///
 /// The constructor takes most of the time: it measures all that does not depend on thresholds. Then
 /// `segment()` can be called with other thresholds; lines of sight that were cast once are kept.
-/// The object does not refer to the input after construction. Different objects may be used from
-/// different threads at once, one object by one thread at a time.
+/// The object does not refer to the input after construction, but to the visitor and to what the
+/// callback refers to, which have to live as long. Different objects may be used from different threads at
+/// once, one object by one thread at a time, also by its functions that are const. It can be moved, not
+/// copied.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`
 template <typename ConcurrencyTag = Sequential_tag>
 class Segmenter
 {
 public:
-  /// reads a range of points or a triangle mesh, see `weakly_convex_segmentation()`.
+  /// reads a range of points, a `CGAL::Point_set_3` or a triangle mesh. Input, named parameters,
+  /// exceptions and complexity are those of `weakly_convex_segmentation()`.
   template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
   explicit Segmenter(const Input& input, const Parameters& parameters = {},
                      const NamedParameters& np = parameters::default_values())
@@ -41,7 +44,8 @@ public:
                 internal::read_control<ConcurrencyTag>(np), internal::read_seed(np, parameters))
   {}
 
-  /// reads a polygon soup, see `weakly_convex_segmentation_of_soup()`.
+  /// reads a polygon soup. Input, named parameters, exceptions and complexity are those of
+  /// `weakly_convex_segmentation_of_soup()`.
   template <typename PointRange, typename PolygonRange, typename NamedParameters,
             typename = typename PolygonRange::const_iterator>
   Segmenter(const PointRange& points, const PolygonRange& polygons, const Parameters& parameters,
@@ -55,6 +59,10 @@ public:
   /// segments with the given rules and thresholds. What the constructor has used (number of neighbors,
   /// representatives and patches, visibility, diameters, seed) stays as it was given there.
   /// \throws std::invalid_argument if a parameter is out of its range
+  /// \throws Canceled if the callback returns false; the object stays usable
+  ///
+  /// Complexity: linear in the number of elements, besides what depends on the number of patches and the
+  /// lines of sight that were not cast before.
   Result segment(const Parameters& parameters)
   {
     parameters.check();
@@ -65,8 +73,14 @@ public:
 
   /// refines the borders of another cut through a merge tree of this shape: the labels of its patches
   /// come from `Merge_tree::labels_for()` and the like.
+  /// \param tree is kept in the result
+  /// \param patch_labels one label a patch, in any order and with gaps; those of the result have none
+  /// \param parameters those of border refinement count
   /// \throws std::invalid_argument if there is not one label a patch, from 0 to their number, or if a
   ///   parameter is out of its range
+  /// \throws Canceled if the callback returns false
+  ///
+  /// Complexity: linear in the number of elements, besides the minimum cuts in the bands.
   Result refine(const Merge_tree& tree, const std::vector<int>& patch_labels,
                 const Parameters& parameters)
   {
@@ -88,6 +102,9 @@ public:
   /// \param diameters one for each input element, in units of the input; at most 0 or not a number
   ///   where there is none
   /// \throws std::invalid_argument if there is not one an element
+  ///
+  /// They take the place of what the constructor measured. `Diameter_rule::OWN_POINTS` does not use them.
+  /// Complexity: linear in the number of elements.
   void set_diameters(const std::vector<double>& diameters)
   {
     if (diameters.size() != m_shape->input.number_of_elements)
@@ -97,7 +114,7 @@ public:
     internal::use_diameters(*m_shape, diameters);
   }
 
-  /// number of patches
+  /// returns the number of patches, the leaves of each merge tree; about `Parameters::number_of_patches`.
   std::size_t number_of_patches() const { return m_shape->patches.size(); }
 
   /// returns the convexity rank \f$ |LoS(S)| / |S|^2 \f$ (equation 1) of a subset of the input.
@@ -106,6 +123,11 @@ public:
   ///   least 1
   /// \param tolerance degrees by which a line of sight may leave the shape at its ends; 0 to 90
   /// \returns a value in `[0, 1]`; 1 for at most one element
+  /// \throws std::invalid_argument if an index is not that of an element, or the sample or the tolerance is
+  ///   out of its range
+  ///
+  /// Complexity: linear in the number of elements, and O(log n) for each of at most
+  /// `sample_size`<sup>2</sup> / 2 lines of sight.
   double convexity_rank(const std::vector<std::size_t>& subset, const std::size_t sample_size = 100,
                         const double tolerance = 5.) const
   {

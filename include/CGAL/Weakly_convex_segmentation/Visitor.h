@@ -26,7 +26,7 @@ enum class Stage
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// returns a lower-case name of the stage.
+/// returns a lower-case name of the stage, which is never freed; `stage` has to be one of the enumeration.
 inline const char* stage_name(const Stage stage)
 {
   const char* const names[] = {"sampling", "neighbors", "patches",    "visibility", "signatures",
@@ -34,13 +34,16 @@ inline const char* stage_name(const Stage stage)
   return names[static_cast<int>(stage)];
 }
 
-/// number of stages
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// number of values of `Stage`
 constexpr std::size_t number_of_stages = 9;
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// Base class of visitors: derive, override what is of interest, and pass the object with the named
 /// parameter `visitor(std::ref(object))`. Events come from the calling thread, in the order of the
 /// stages. An exception thrown by a visitor ends the run and passes through.
+///
+/// \cgalModels `WeaklyConvexSegmentationVisitor`
 class Visitor
 {
 public:
@@ -50,7 +53,7 @@ public:
   /// called when a stage ends; `size` is the number of things that it made: representatives,
   /// neighbor edges, patches, disks, diameters, components, segments, moved points, segments
   virtual void stage_ends(Stage, std::size_t /* size */) {}
-  /// called for each merge with a patch of either region and the cost that was paid
+  /// called for each merge with a patch of either region, counted from 0, and the cost that was paid
   virtual void merged(int /* first_patch */, int /* second_patch */, double /* cost */) {}
 };
 

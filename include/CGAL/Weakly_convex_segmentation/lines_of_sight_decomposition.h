@@ -40,6 +40,7 @@ struct Lines_of_sight_parameters
   /// Sampling of the shape, neighbors, disks and seed; what it says of later stages is not used.
   Parameters shape;
 
+  /// checks all ranges, also those of `shape`.
   /// \throws std::invalid_argument naming the first parameter that is out of its range.
   void check() const
   {
@@ -163,7 +164,8 @@ inline Lines_of_sight_result decompose_by_lines_of_sight(const Raw_points& raw,
 /// \throws Canceled if the callback returns false
 ///
 /// Complexity: O(n log n) for n elements, and with s samples O(s n) in thinned points, s^2 lines of
-/// sight and O(s^3) in memory of O(s^2).
+/// sight and O(s^3) in memory of O(s^2). Thread safety is that of
+/// `weakly_convex_segmentation()`.
 template <typename ConcurrencyTag = Sequential_tag, typename Input, typename LabelMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Lines_of_sight_result

@@ -27,11 +27,13 @@ namespace Weakly_convex_segmentation {
 /// It takes a header of its own as few need it and it brings CGAL's mesh segmentation along.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \param mesh a triangle mesh, closed for meaningful diameters
-/// \param parameters gives the number of faces, the rays a face and the opening angle of the cone
-/// \returns one value a face in units of the mesh: -1 if no ray hit, not a number if not sampled
+/// \param mesh a triangle mesh, closed for meaningful diameters; it is not changed
+/// \param parameters gives the number of faces (`Parameters::diameter_samples`), the rays a face
+///   (`Parameters::diameter_rays`) and the opening angle of the cone (`Parameters::diameter_cone_angle`)
+/// \returns one value a face, in the order of `faces(mesh)` and in units of the mesh: -1 if no ray hit, not a
+///   number if not sampled; nothing for a mesh without faces
 ///
-/// Complexity: O(f log f) for f faces, and O(log f) a ray.
+/// Complexity: O(f log f) for f faces, and O(log f) a ray. The function is reentrant.
 template <typename TriangleMesh>
 std::vector<double> mesh_diameters(const TriangleMesh& mesh, const Parameters& parameters = {})
 {
