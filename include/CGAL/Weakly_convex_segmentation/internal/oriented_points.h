@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -33,6 +34,7 @@ struct Raw_points
   std::vector<Index> element_of; ///< input element of each point; empty if they are the same
   std::vector<std::size_t> first_corner;      ///< of each face in `corners`, and the end; or empty
   std::vector<std::array<double, 3>> corners; ///< of all faces
+  int exponent = 0; ///< lengths of the input are those here, times 2 to the power of this
 };
 
 /// Points in the frame of the method: centered at the centroid, extent 1, in spatial order.
@@ -71,6 +73,12 @@ inline std::uint64_t spread_bits(std::uint64_t v)
   return v;
 }
 
+[[noreturn]] inline void refuse_extent()
+{
+  throw std::invalid_argument(
+      "the coordinates are so large that the extent of the shape overflows; scale the shape down");
+}
+
 /// The axis-aligned bounding cube of the points.
 struct Bounding_cube
 {
@@ -90,8 +98,7 @@ inline Bounding_cube bounding_cube(const std::vector<std::array<double, 3>>& pos
       high[c] = (std::max)(high[c], p[c]);
     }
   const double side = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-  if (!std::isfinite(side))
-    throw std::invalid_argument("the extent of the points overflows; scale the shape down");
+  if (!std::isfinite(side)) refuse_extent();
   return {low, side};
 }
 
@@ -212,6 +219,8 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
     for (std::size_t i = 0; i < n; ++i) rank[order[i]] = static_cast<Index>(i);
     points.links = renamed_links(raw.links, rank);
   }
+  points.extent = std::ldexp(points.extent, raw.exponent);
+  if (!std::isfinite(points.extent)) refuse_extent();
   points.elements = order;
   points.number_of_elements = n;
   if (!raw.element_of.empty())

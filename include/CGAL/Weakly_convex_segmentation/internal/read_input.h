@@ -16,7 +16,9 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -134,6 +136,33 @@ auto point_map_of(const Range&, const NamedParameters& np)
       CGAL::Identity_property_map<Element>());
 }
 
+/// returns the power of two that brings coordinates to about 1 where areas or volumes of them might
+/// overflow or vanish; 0, for which nothing changes, if they are between 2^-100 and 2^100.
+inline int unusual_exponent(const std::vector<Coordinates>& coordinates)
+{
+  constexpr int usual = 100;
+  double largest = 0.;
+  for (const Coordinates& p : coordinates)
+    for (const double c : p)
+      if (std::isfinite(c)) largest = (std::max)(largest, std::abs(c));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::abs(exponent) > usual ? exponent : 0;
+}
+
+inline Coordinates scaled(const Coordinates& p, const int exponent)
+{
+  return {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)};
+}
+
+/// brings positions of an unusual magnitude to about 1.
+inline void scale_points(Raw_points& raw)
+{
+  raw.exponent = unusual_exponent(raw.positions);
+  if (raw.exponent == 0) return;
+  for (Coordinates& p : raw.positions) p = scaled(p, -raw.exponent);
+}
+
 /// reads a range of points. Without a normal map the normals are estimated.
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
 Raw_points read_points(const PointRange& range, const NamedParameters& np)
@@ -144,6 +173,7 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np)
   const auto size = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
   raw.positions.reserve(size);
   for (const auto& element : range) raw.positions.push_back(coordinates(get(point_map, element)));
+  scale_points(raw);
   if constexpr (is_given<NamedParameters, CGAL::internal_np::normal_t>)
   {
     const auto normal_map = CGAL::parameters::get_parameter(np, CGAL::internal_np::normal_map);
@@ -166,6 +196,7 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np)
   Raw_points raw;
   raw.positions.reserve(points.size());
   for (const auto& index : points) raw.positions.push_back(coordinates(points.point(index)));
+  scale_points(raw);
   if (points.has_normal_map())
   {
     raw.normals.reserve(points.size());
@@ -199,6 +230,24 @@ inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_points& raw
   raw.first_corner.push_back(raw.corners.size());
 }
 
+/// adds the polygons again, about of size 1, if their coordinates are of an unusual magnitude.
+inline void scale_polygons(Raw_points& raw)
+{
+  raw.exponent = unusual_exponent(raw.corners);
+  if (raw.exponent == 0) return;
+  const std::vector<Coordinates> corners = std::move(raw.corners);
+  const std::vector<std::size_t> first = std::move(raw.first_corner);
+  raw.positions.clear(), raw.normals.clear(), raw.corners.clear(), raw.first_corner.clear();
+  std::vector<Coordinates> polygon;
+  for (std::size_t f = 0; f + 1 < first.size(); ++f)
+  {
+    polygon.clear();
+    for (std::size_t i = first[f]; i < first[f + 1]; ++i)
+      polygon.push_back(scaled(corners[i], -raw.exponent));
+    add_polygon(polygon, raw);
+  }
+}
+
 /// reads a mesh as one point a face (section 6): centroid, normal, and links between faces that
 /// share an edge.
 template <typename FaceGraph, typename VertexPointMap, typename Traits>
@@ -224,6 +273,7 @@ Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const 
     const face_descriptor f = face(h, mesh), g = face(opposite(h, mesh), mesh);
     if (f != none && g != none) raw.links.push_back({index.at(f), index.at(g)});
   }
+  scale_polygons(raw);
   return raw;
 }
 
@@ -281,6 +331,7 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
     }
     all_vertices.insert(all_vertices.end(), vertices.begin(), vertices.end());
   }
+  scale_polygons(raw);
   if (!raw.positions.empty()) orient_soup(all_vertices, raw.first_corner, raw);
   return raw;
 }
