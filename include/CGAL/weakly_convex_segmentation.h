@@ -56,7 +56,8 @@ namespace CGAL {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{called with the progress from 0 to 1; false stops the run}
+///     \cgalParamDescription{called with the progress from 0 to 1 by the calling thread, after each stage
+///       and within long ones; false stops the run}
 ///     \cgalParamType{`std::function<bool(double)>`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}

@@ -6,6 +6,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
+#include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
 
 #include <algorithm>
 #include <array>
@@ -163,7 +164,8 @@ renamed_links(const std::vector<std::array<Index, 2>>& links, const std::vector<
 /// rotation. Complexity: O(n log n) for the spatial sort.
 /// \throws std::invalid_argument if there are no points, too many for 32 bits, or coordinates that
 /// are not finite.
-inline Oriented_points orient_points(const Raw_points& raw, const bool parallel = false)
+inline Oriented_points orient_points(const Raw_points& raw, const bool parallel = false,
+                                     const Run_control& control = {})
 {
   const std::size_t n = raw.positions.size();
   if (n == 0) throw std::invalid_argument("there are no points to segment");
@@ -175,6 +177,7 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   const Bounding_cube cube = bounding_cube(raw.positions);
   Oriented_points points;
   const std::vector<Index> order = spatial_order(raw, cube, parallel);
+  control.check();
 
   // relative to the corner, against cancellation, and to the side, whose square may overflow
   const double side = cube.side > 0. ? cube.side : 1.;
@@ -196,6 +199,7 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   for (double& c : centroid) c *= side;
   points.extent = squared_radius > 0. ? 2. * std::sqrt(squared_radius) * side : 1.;
 
+  control.check();
   points.positions.resize(n);
   points.normals.resize(n);
   parallel_for(
