@@ -1,9 +1,10 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One view of a depth camera, as PLY: finds what stands on the supporting plane, and its parts.
+// One view of a depth camera: finds what stands on the supporting plane, and its parts.
 
 #include "include/atomic_file.h"
+#include "include/gaps.h"
 #include "include/part_colors.h"
 #include "include/read_shape.h"
 #include "include/scene_objects.h"
@@ -74,9 +75,19 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
   return true;
 }
 
-// The parts are 1, 2, ...; 0 is the plane and the background.
-void write_scene(const Shape_io::Shape& shape, const Scene_objects::Scene& scene,
-                 const std::string& path)
+// A point where the sensor itself is can't have been measured.
+Shape_io::Shape read_scene(const std::string& path, const Scene_objects::Point& viewpoint)
+{
+  Shape_io::Shape shape = Shape_io::read_shape(path, Shape_io::Gaps::ALLOWED);
+  if (shape.is_mesh()) throw std::runtime_error("the input is a mesh; give a cloud of points");
+  shape.has_gaps_at_origin =
+      viewpoint == CGAL::ORIGIN || Shape_io::has_repeated_origin(shape.points);
+  return shape;
+}
+
+// The parts are 1, 2, ...; 0 is the plane and the background, -1 a pixel without a measurement.
+void write_scene(const Shape_io::Shape& whole, const Shape_io::Measured_shape& measured,
+                 const Scene_objects::Scene& scene, const std::string& path)
 {
   Shape_io::Parts parts;
   for (const std::size_t cell : scene.cell_of)
@@ -85,14 +96,15 @@ void write_scene(const Shape_io::Shape& shape, const Scene_objects::Scene& scene
     parts.quality.push_back(static_cast<double>(scene.object[cell] + 1));
   }
   parts.colors = Shape_io::part_colors(Shape_io::part_neighbors(
-      shape, parts.labels, static_cast<std::size_t>(scene.number_of_parts) + 1));
+      measured.shape(), parts.labels, static_cast<std::size_t>(scene.number_of_parts) + 1));
   parts.colors[0] = {190, 190, 190};
   Shape_io::Atomic_file file(path);
-  Shape_io::write_parts(file.stream(), shape, parts);
+  Shape_io::write_parts(file.stream(), whole, measured.spread(parts));
   file.commit();
 }
 
-void write_stats(const Scene_objects::Scene& scene, const double seconds, const std::string& path)
+void write_stats(const Scene_objects::Scene& scene, const std::size_t number_of_gaps,
+                 const double seconds, const std::string& path)
 {
   nlohmann::ordered_json objects = nlohmann::ordered_json::array();
   std::vector<std::size_t> sizes(scene.parts_of.size(), 0);
@@ -102,6 +114,7 @@ void write_stats(const Scene_objects::Scene& scene, const double seconds, const 
     objects.push_back({{"points", sizes[i]}, {"parts", scene.parts_of[i]}});
   const auto& plane = scene.plane;
   const nlohmann::ordered_json stats = {{"points", scene.cell_of.size()},
+                                        {"number_of_gaps", number_of_gaps},
                                         {"cells", scene.cells.size()},
                                         {"plane", {plane.a(), plane.b(), plane.c(), plane.d()}},
                                         {"objects", objects},
@@ -122,13 +135,14 @@ int main(int argc, char** argv)
     Scene_objects::Options options;
     if (!read_options(argc, argv, files, options)) return EXIT_SUCCESS;
     const auto begin = std::chrono::steady_clock::now();
-    const Shape_io::Shape shape = Shape_io::read_shape(files.input);
-    if (shape.is_mesh()) throw std::runtime_error("the input is a mesh; give a cloud of points");
-    const Scene_objects::Scene scene = Scene_objects::segment_scene(shape.points, options);
+    const Shape_io::Shape shape = read_scene(files.input, options.viewpoint);
+    const Shape_io::Measured_shape measured(shape);
+    const Scene_objects::Scene scene =
+        Scene_objects::segment_scene(measured.shape().points, options);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (!files.parts.empty()) write_scene(shape, scene, files.parts);
-    if (!files.stats.empty()) write_stats(scene, seconds, files.stats);
+    if (!files.parts.empty()) write_scene(shape, measured, scene, files.parts);
+    if (!files.stats.empty()) write_stats(scene, measured.number_of_gaps(), seconds, files.stats);
     std::cout << scene.parts_of.size() << " objects of " << scene.number_of_parts << " parts in "
               << seconds << " seconds\n";
     return EXIT_SUCCESS;

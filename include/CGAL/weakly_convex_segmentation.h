@@ -62,8 +62,8 @@ namespace CGAL {
 ///     \cgalParamDefault{the member functions `x()`, `y()` and `z()` are called}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{called before the first stage and after each, from the calling thread, with the
-///       progress from 0 to 1; false stops the run}
+///     \cgalParamDescription{called with the progress from 0 to 1 by the calling thread, after each stage
+///       and within long ones; false stops the run}
 ///     \cgalParamType{`std::function<bool(double)>`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

@@ -10,6 +10,8 @@
 #include "check_result.h"
 #include "shapes_for_tests.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -63,6 +65,20 @@ struct Label_writer
   using category = boost::writable_property_map_tag;
   std::vector<int>* labels;
   friend void put(const Label_writer& writer, const key_type&, const int label)
+  {
+    writer.labels->push_back(label);
+  }
+};
+
+/// the same for points without normals
+struct Bare_label_writer
+{
+  using key_type = Kernel::Point_3;
+  using value_type = int;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+  std::vector<int>* labels;
+  friend void put(const Bare_label_writer& writer, const key_type&, const int label)
   {
     writer.labels->push_back(label);
   }
@@ -194,26 +210,81 @@ BOOST_AUTO_TEST_CASE(progress_grows_from_0_to_1_and_may_stop_anywhere)
   BOOST_REQUIRE_GE(progress.size(), WCS::number_of_stages);
   BOOST_CHECK_EQUAL(progress.front(), 0.);
   BOOST_CHECK_CLOSE(progress.back(), 1., 1e-9);
-  for (std::size_t i = 1; i < progress.size(); ++i) BOOST_CHECK_GT(progress[i], progress[i - 1]);
+  for (std::size_t i = 1; i < progress.size(); ++i) BOOST_CHECK_GE(progress[i], progress[i - 1]);
 
-  for (std::size_t last = 0; last < progress.size(); ++last)
+  for (const double last : progress)
   {
-    std::size_t calls = 0;
-    const std::function<bool(double)> stop = [&](double) { return calls++ < last; };
+    bool was_stopped = false, was_called_again = false;
+    const std::function<bool(double)> stop = [&](const double share)
+    {
+      was_called_again = was_stopped;
+      was_stopped = share >= last;
+      return !was_stopped;
+    };
     std::vector<int> written;
     BOOST_CHECK_THROW(CGAL::weakly_convex_segmentation(hand(), Label_writer{&written}, Parameters(),
                                                        maps().callback(stop)),
                       WCS::Canceled);
     BOOST_CHECK(written.empty());
-    BOOST_CHECK_EQUAL(calls, last + 1); // not called again
+    BOOST_CHECK(was_stopped && !was_called_again);
   }
 
   // a segmenter that was canceled goes on as if nothing had been
-  int left = 8;
-  const std::function<bool(double)> once = [&](double) { return --left != 0; };
+  bool is_first = true;
+  const std::function<bool(double)> once = [&](const double share)
+  { return share < 0.7 || !std::exchange(is_first, false); };
   WCS::Segmenter<> segmenter(hand(), Parameters(), maps().callback(once));
   BOOST_CHECK_THROW(segmenter.segment(Parameters()), WCS::Canceled);
   BOOST_CHECK(equal(segmenter.segment(Parameters()), result));
+}
+
+// Questions come a tenth of a second apart at least: what takes so long is followed by one.
+BOOST_AUTO_TEST_CASE(the_callback_is_heeded_within_stages)
+{
+  static constexpr std::chrono::milliseconds long_time(101);
+  struct Slow_recorder : Recorder
+  {
+    std::size_t slow_merge = 0;
+    void merged(const int first, const int second, const double cost) override
+    {
+      Recorder::merged(first, second, cost);
+      if (merges.size() == slow_merge) std::this_thread::sleep_for(long_time);
+    }
+  };
+  for (const std::size_t last : {1u, 3u, 8u})
+  {
+    Slow_recorder recorder;
+    recorder.slow_merge = last;
+    const std::function<bool(double)> stop = [&](double) { return recorder.merges.size() < last; };
+    WCS::Segmenter<> segmenter(hand(), Parameters(),
+                               maps().callback(stop).visitor(std::ref(recorder)));
+    BOOST_CHECK_THROW(segmenter.segment(Parameters()), WCS::Canceled);
+    BOOST_CHECK_LE(recorder.merges.size(), last);
+  }
+
+  // nor is the estimation of normals, before the first stage, left to itself
+  std::vector<Kernel::Point_3> bare;
+  for (const Point_with_normal& p : hand()) bare.push_back(p.first);
+  for (const int last : {2, 4, 9})
+  {
+    std::vector<int> written;
+    std::vector<std::thread::id> threads;
+    int left = last;
+    const std::function<bool(double)> stop = [&](const double share)
+    {
+      BOOST_REQUIRE_EQUAL(share, 0.);
+      threads.push_back(std::this_thread::get_id());
+      std::this_thread::sleep_for(long_time);
+      return --left > 0;
+    };
+    BOOST_CHECK_THROW(
+        CGAL::weakly_convex_segmentation<CGAL::Parallel_tag>(
+            bare, Bare_label_writer{&written}, Parameters(), CGAL::parameters::callback(stop)),
+        WCS::Canceled);
+    BOOST_CHECK(written.empty());
+    BOOST_CHECK(std::count(threads.begin(), threads.end(), std::this_thread::get_id()) ==
+                static_cast<std::ptrdiff_t>(threads.size()));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_seed_is_used_and_two_runs_are_the_same)

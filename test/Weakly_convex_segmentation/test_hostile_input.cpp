@@ -4,6 +4,7 @@
 #define BOOST_TEST_MODULE Hostile_input
 #include <boost/test/included/unit_test.hpp>
 
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/weakly_convex_segmentation.h>
@@ -12,6 +13,7 @@
 #include "shapes_for_tests.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -186,23 +188,61 @@ BOOST_AUTO_TEST_CASE(extreme_coordinates)
   check_all_labeled(two_balls(1e-310, 0.), "denormal numbers");
   check_all_labeled(two_balls(1e-320, 0.), "hardly any bits");
   check_refused(two_balls(1e308, 0.)); // its extent overflows
-  // without normals the estimation has to cope
-  for (const double scale : {1e-150, 1e-9, 1e9, 1e150, 1e200})
-  {
-    try
-    {
-      const auto points = points_of(two_balls(scale, 0.));
-      check_result(CGAL::weakly_convex_segmentation(points, No_map()), points.size());
-    }
-    catch (const std::invalid_argument& error)
-    {
-      BOOST_CHECK_NE(std::string(error.what()), "");
-      BOOST_CHECK_MESSAGE(scale > 1e100 || scale < 1e-100, "refused: " << error.what());
-    }
-  }
   Raw_points outlier = two_balls(1., 0.);
   add_point(outlier, {1e6, 0., 0.}, {1., 0., 0.});
   check_all_labeled(outlier, "an outlier");
+}
+
+BOOST_AUTO_TEST_CASE(units_of_any_magnitude)
+{
+  const auto dumbbell = Shape_generator::make_mesh("dumbbell", 2000);
+  const std::vector<Polygon> polygons = [&]
+  {
+    std::vector<Polygon> result;
+    for (const auto& f : dumbbell.faces) result.push_back({f[0], f[1], f[2]});
+    return result;
+  }();
+  const auto corners = [&](const int exponent)
+  {
+    std::vector<Point> points;
+    for (const auto& p : dumbbell.points)
+      points.emplace_back(std::ldexp(p[0], exponent), std::ldexp(p[1], exponent),
+                          std::ldexp(p[2], exponent));
+    return points;
+  };
+  const auto cloud = [](const int exponent)
+  { return points_of(two_balls(std::ldexp(1., exponent), 0.)); };
+  const auto segment_mesh = [&](const int exponent)
+  {
+    CGAL::Surface_mesh<Point> mesh;
+    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(corners(exponent), polygons, mesh);
+    return CGAL::weakly_convex_segmentation(mesh, No_map());
+  };
+  const Result soup = segment_soup(corners(0), polygons), mesh = segment_mesh(0),
+               points = CGAL::weakly_convex_segmentation(cloud(0), No_map());
+  BOOST_CHECK_GE(soup.number_of_segments(), 2u);
+  // 2^997 is 1.3e300: areas, volumes and squared lengths overflow, or vanish
+  for (const int exponent : {-997, -800, -101, 101, 400, 997})
+    BOOST_TEST_CONTEXT("2 to the power of " << exponent)
+    {
+      const Result same = segment_soup(corners(exponent), polygons);
+      BOOST_CHECK(same.labels == soup.labels);
+      BOOST_CHECK_EQUAL(same.segments[0].diameter, std::ldexp(soup.segments[0].diameter, exponent));
+      BOOST_CHECK(segment_mesh(exponent).labels == mesh.labels);
+      BOOST_CHECK(CGAL::weakly_convex_segmentation(cloud(exponent), No_map()).labels ==
+                  points.labels);
+    }
+  const auto names_cause = [](const std::invalid_argument& error)
+  {
+    return std::string(error.what()).find("extent of the shape overflows; scale") !=
+           std::string::npos;
+  };
+  const std::vector<Point> far_corners = {
+      {-1.7e308, 0., 0.}, {1.7e308, 0., 0.}, {0., 1e308, 0.}, {0., 0., 0.}, {0., -1e308, 0.}};
+  BOOST_CHECK_EXCEPTION(segment_soup(far_corners, {{0, 3, 2}, {0, 4, 3}, {1, 3, 4}, {1, 2, 3}}),
+                        std::invalid_argument, names_cause);
+  BOOST_CHECK_EXCEPTION(CGAL::weakly_convex_segmentation(cloud(1023), No_map()),
+                        std::invalid_argument, names_cause);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite)

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <set>
 #include <sstream>
 #include <string>
@@ -109,6 +110,43 @@ BOOST_AUTO_TEST_CASE(split_of_a_mesh_keeps_each_face)
   for (int label = 0; label < count; ++label)
     BOOST_TEST(obj.find("\ng part_" + std::to_string(label) + "\n") != std::string::npos);
   BOOST_TEST(Shape_io::read_shape(folder.file("all.obj")).polygons.size() == labels.size());
+}
+
+BOOST_AUTO_TEST_CASE(split_leaves_no_part_of_an_earlier_run_and_deletes_nothing_else)
+{
+  const Scratch_folder folder;
+  const auto split = [&](const std::string& most)
+  {
+    return run(folder, "segment_shape",
+               {"--shape", "octopus", "--quiet", "--split", "parts", "--max-segments", most});
+  };
+  const auto exists = [&](const std::string& name)
+  { return std::filesystem::exists(folder.file("parts/" + name)); };
+  BOOST_REQUIRE(split("5").exit_code == 0);
+  BOOST_TEST(exists("part_4.ply"));
+  folder.write("parts/notes.txt", "mine");
+  folder.write("parts/part_of_mine.ply", "mine");
+  folder.write("parts/part_9.txt", "mine");
+  BOOST_REQUIRE(split("2").exit_code == 0);
+  BOOST_TEST(exists("part_1.ply"));
+  for (const char* const stale : {"part_2.ply", "part_3.ply", "part_4.ply"})
+    BOOST_TEST(!exists(stale));
+  for (const char* const own : {"parts/notes.txt", "parts/part_of_mine.ply", "parts/part_9.txt"})
+    BOOST_TEST(folder.read(own) == "mine");
+
+  for (const char* const name : {"part_0.ply", "part_7.ply", "part_none.ply"})
+  {
+    const std::string own = "ply\nformat ascii 1.0\nelement vertex 0\n";
+    folder.write(std::string("parts/") + name, own);
+    const Outcome outcome = split("3");
+    BOOST_TEST(outcome.exit_code == 1);
+    BOOST_TEST(outcome.err.find(name) != std::string::npos);
+    BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    BOOST_TEST(exists("part_1.ply"));
+    BOOST_TEST(!exists("part_2.ply"));
+    BOOST_TEST(folder.read(std::string("parts/") + name) == own);
+    std::filesystem::remove(folder.file(std::string("parts/") + name));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(hulls_enclose_their_parts)

@@ -9,6 +9,7 @@
 #include "pcd_files.h"
 #include "run_program.h"
 #include "scratch_folder.h"
+#include "shape_generator.h"
 #include "shape_io.h"
 
 #include <algorithm>
@@ -155,6 +156,61 @@ BOOST_AUTO_TEST_CASE(pixels_without_a_measurement_keep_their_place)
              "0\n0\n-1\n0\n0\n0\n");
   BOOST_TEST(segment_shape(folder, {"tiny.pcd", "--stage", "patches", "-o", "b.obj"}).exit_code ==
              0);
+}
+
+BOOST_AUTO_TEST_CASE(zeros_in_a_depth_image_are_no_points)
+{
+  const Scratch_folder folder;
+  const auto cloud = Shape_generator::make_cloud("dumbbell", 2000);
+  const auto write =
+      [&](const std::string& name, const std::string& header, const std::vector<std::string>& first)
+  {
+    std::ostringstream out;
+    out << header;
+    for (const std::string& pixel : first) out << pixel << '\n';
+    for (const auto& p : cloud.points) out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    folder.write(name, out.str());
+  };
+  const auto gaps = [&](const std::string& name)
+  {
+    BOOST_REQUIRE_EQUAL(segment_shape(folder, {name, "--quiet", "--labels", "a.seg"}).exit_code, 0);
+    const std::vector<int> labels = labels_in(folder.read("a.seg"));
+    const auto count = std::count(labels.begin(), labels.end(), -1);
+    BOOST_TEST(std::count(labels.begin(), labels.begin() + count, -1) == count); // the first ones
+    return count;
+  };
+  const std::string size = std::to_string(cloud.points.size() / 2 + 1);
+  const auto pcd = [&](const std::string& width, const std::string& height)
+  {
+    return "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + width + "\nHEIGHT " +
+           height + "\nDATA ascii\n";
+  };
+  const std::string all = std::to_string(cloud.points.size() + 2);
+  write("image.pcd", pcd(size, "2"), {"0 0 0", "0 -0 0"});
+  BOOST_TEST(gaps("image.pcd") == 2);
+  write("one.pcd", pcd(size, "2"), {"0 0 0", "0 0 1e-9"}); // may have been measured
+  BOOST_TEST(gaps("one.pcd") == 0);
+  write("nan.pcd", pcd(size, "2"), {"nan nan nan", "0 0 0"}); // others are written as NaN
+  BOOST_TEST(gaps("nan.pcd") == 1);
+  write("cloud.pcd", pcd(all, "1"), {"0 0 0", "0 0 0"}); // no image
+  BOOST_TEST(gaps("cloud.pcd") == 0);
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex " + all +
+                          "\nproperty float x\nproperty float y\nproperty float z\n";
+  write("cloud.ply", ply + "end_header\n", {"0 0 0", "0 0 0"});
+  BOOST_TEST(gaps("cloud.ply") == 0);
+  write("camera.ply",
+        ply + "element camera 1\nproperty int viewportx\nproperty int viewporty\nend_header\n",
+        {"0 0 0", "0 0 0"});
+  folder.write("camera.ply", folder.read("camera.ply") + size + " 2\n");
+  BOOST_TEST(gaps("camera.ply") == 2);
+  BOOST_REQUIRE_EQUAL(
+      segment_shape(folder, {"image.pcd", "--quiet", "-o", "a.ply", "--ascii"}).exit_code, 0);
+  const Shape parts = Shape_io::read_shape(folder.file("a.ply"));
+  BOOST_TEST((parts.points[0] == CGAL::ORIGIN && parts.points[1] == CGAL::ORIGIN));
+  BOOST_TEST(parts.points.size() == cloud.points.size() + 2);
+  folder.write("empty.pcd", pcd("2", "2") + "0 0 0\n0 0 0\n0 0 0\n0 0 0\n");
+  BOOST_TEST(segment_shape(folder, {"empty.pcd", "--labels", "a.seg"})
+                 .err.find("none of its points has coordinates") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(labels_are_carried_to_points_that_were_not_in_the_run)

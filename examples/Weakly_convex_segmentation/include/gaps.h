@@ -26,7 +26,7 @@ public:
     if (whole.is_mesh()) return;
     bool has_bad_normals = false;
     for (std::size_t i = 0; i < whole.points.size(); ++i)
-      if (!is_gap(whole.points[i])) m_elements.push_back(i);
+      if (!is_gap(whole, whole.points[i])) m_elements.push_back(i);
     for (const Vector& n : whole.normals) has_bad_normals = has_bad_normals || is_gap(n);
     if (number_of_gaps() == 0 && !has_bad_normals) return;
     m_rest = shape_of_elements(whole, m_elements);

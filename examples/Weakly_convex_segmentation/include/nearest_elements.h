@@ -139,7 +139,7 @@ inline std::vector<std::size_t> nearest_elements(const Shape& from, const Shape&
     for (std::size_t i = 0; i < result.size(); ++i)
     {
       const Point p = internal::element_position(to, i);
-      if (!is_gap(p)) result[i] = nearest(p, i);
+      if (!is_gap(to, p)) result[i] = nearest(p, i);
     }
   };
   if (from.is_mesh())

@@ -235,6 +235,7 @@ inline void read_pcd(const std::string& bytes, Shape& shape)
   for (Pcd_column& column : columns)
     if (!column.is_padding) properties.push_back(std::move(column.property));
   take_ply_points(std::move(properties), shape);
+  shape.is_organized = header.width > 1 && header.height > 1;
 }
 
 } // namespace internal

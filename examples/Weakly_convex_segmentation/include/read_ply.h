@@ -217,6 +217,10 @@ inline void read_ply(const std::string& bytes, Shape& shape)
                                "' twice; export the shape again");
     std::vector<std::vector<std::size_t>> polygons;
     std::vector<Property> columns = read_ply_columns(cursor, element, polygons);
+    if (element.name == "camera") // as PCL writes it, with the size of the image
+      for (const Property& column : columns)
+        if (column.name == "viewporty")
+          shape.is_organized = !column.values.empty() && column.values[0] > 1.;
     if (element.name == "vertex" || element.name == "vertices")
       take_ply_points(std::move(columns), shape);
     else if (element.name == "face" || element.name == "faces")

@@ -140,7 +140,8 @@ inline void check_shape(const Shape& shape, const Gaps gaps)
   for (std::size_t i = 0; i < shape.points.size(); ++i)
     if (!is_finite_triple(shape.points[i]) && !(allows_gaps && is_gap(shape.points[i])))
       refuse("point", i, "has a coordinate that is not finite; remove or repair it");
-  if (allows_gaps && std::all_of(shape.points.begin(), shape.points.end(), is_gap<Point>))
+  if (allows_gaps && std::all_of(shape.points.begin(), shape.points.end(),
+                                 [&](const Point& p) { return is_gap(shape, p); }))
     throw std::runtime_error("none of its points has coordinates; check it or export it again");
   for (std::size_t i = 0; i < shape.normals.size(); ++i)
     if (!is_finite_triple(shape.normals[i]) && !(allows_gaps && is_gap(shape.normals[i])))
@@ -187,6 +188,8 @@ inline Shape read_shape(const std::string& path, const Gaps gaps = Gaps::REFUSED
       reader(bytes, shape);
     }
     internal::drop_missing_normals(shape);
+    shape.has_gaps_at_origin = gaps == Gaps::ALLOWED && !shape.is_mesh() && shape.is_organized &&
+                               has_repeated_origin(shape.points);
     internal::check_shape(shape, gaps);
   }
   catch (const std::bad_alloc&)

@@ -12,6 +12,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -77,6 +78,18 @@ inline Cell cell_at(const Point& p, const double side)
   const auto index = [side](const double x)
   { return static_cast<std::int64_t>(std::floor(x / side)); };
   return {index(p.x()), index(p.y()), index(p.z())};
+}
+
+// Throws std::runtime_error if cells could not be numbered, or their neighbors.
+inline void check_extent(const std::vector<Point>& points, const Options& options)
+{
+  constexpr double most_cells = 1e15;
+  const double side = (std::min)(options.cell, options.gap);
+  for (const Point& p : points)
+    for (int i = 0; i < 3; ++i)
+      if (!(std::abs(p[i]) / side < most_cells))
+        throw std::runtime_error("a coordinate is more than 10^15 cells from the origin; scale the "
+                                 "scene, or set --cell and --gap");
 }
 
 // One point a cell: the mean of its points.
@@ -230,6 +243,7 @@ inline Pieces_on_plane find_pieces(const std::vector<Point>& points, const Optio
 {
   Pieces_on_plane result;
   Scene& scene = result.scene;
+  internal::check_extent(points, options);
   internal::thin(points, options.cell, scene);
   if (scene.cells.size() < 100)
     throw std::runtime_error("the scene has only " + std::to_string(scene.cells.size()) +

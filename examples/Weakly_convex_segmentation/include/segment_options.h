@@ -74,7 +74,8 @@ inline po::options_description described_options(Options& options, Numbers& numb
   add("stats", po::value(&options.stats_file)->value_name("STATS.json"),
       "write counts, seconds and the numbers of each part as JSON");
   add("split", po::value(&options.split_folder)->value_name("FOLDER"),
-      "write each part as a file of its own, FOLDER/part_0.ply and so on");
+      "write each part as a file of its own, FOLDER/part_0.ply and so on, in place of those of an "
+      "earlier run");
   add("hulls", po::value(&options.hulls_file)->value_name("HULLS.ply"),
       "write the convex hulls of the parts as one mesh, PLY or OBJ (groups); flat parts have none");
   add("view", po::value(&options.view_file)->value_name("PARTS.html"),
@@ -237,7 +238,9 @@ inline void print_help(std::ostream& out)
          "and,\n"
          "unless told otherwise, writes parts.ply. The name - is standard input or output. Pixels "
          "of\n"
-         "a depth camera without a measurement (NaN) keep their place and get the label -1.\n\n"
+         "a depth camera without a measurement (NaN; 0 0 0 repeated in an organized PCD or PLY) "
+         "keep\n"
+         "their place and get the label -1.\n\n"
       << internal::described_options(options, numbers);
 }
 

@@ -10,6 +10,7 @@
 #include "segment_report.h"
 #include "separate_parts.h"
 #include "shape_io.h"
+#include "split_folder.h"
 #include "write_view.h"
 
 #include <cstddef>
@@ -80,7 +81,7 @@ public:
     for (const auto& file : m_files) file->finish();
     Interruption::check();
     for (const auto& file : m_files) file->commit();
-    if (m_folder) m_folder->keep();
+    if (m_folder) m_folder->commit();
   }
 
 private:
@@ -113,7 +114,7 @@ private:
       own.labels.push_back(parts.labels[i]);
       own.quality.push_back(parts.quality[i]);
     }
-    const std::string path = m_folder->path_of("part_" + name + ".ply");
+    const std::string path = m_folder->path_of_part(name);
     const File file = open(path);
     write_shape(*file, path, Shape_io::shape_of_elements(shape, elements), own, m_options.ascii);
     file->finish();
@@ -133,7 +134,7 @@ private:
   }
 
   const Options& m_options;
-  std::optional<Shape_io::New_folder> m_folder; // before the files, which lie in it
+  std::optional<Split_folder> m_folder; // before the files, which lie in it
   std::vector<std::unique_ptr<Shape_io::Atomic_file>> m_files;
   File m_parts, m_labels, m_stats, m_hulls, m_view;
 };

@@ -6,6 +6,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -50,6 +51,8 @@ struct Shape
   std::vector<std::vector<std::size_t>> polygons;
   std::vector<Property> point_properties;
   std::vector<Property> face_properties;
+  bool is_organized = false;       // the points are the pixels of a depth image
+  bool has_gaps_at_origin = false; // a point at the origin is a pixel without a measurement
 
   bool is_mesh() const { return !polygons.empty(); }
   // The elements are what gets a label: the faces of a mesh, the points of a cloud.
@@ -57,7 +60,8 @@ struct Shape
   const char* element_name() const { return is_mesh() ? "faces" : "points"; }
 };
 
-// Depth cameras keep a place for each pixel: where nothing was measured, all coordinates are NaN.
+// Depth cameras keep a place for each pixel: where nothing was measured, all coordinates are NaN or,
+// of some, 0.
 enum class Gaps
 {
   REFUSED,
@@ -68,6 +72,19 @@ template <typename Triple>
 bool is_gap(const Triple& t)
 {
   return std::isnan(t.x()) && std::isnan(t.y()) && std::isnan(t.z());
+}
+
+inline bool is_gap(const Shape& shape, const Point& p)
+{
+  return is_gap(p) || (shape.has_gaps_at_origin && p == CGAL::ORIGIN);
+}
+
+// Two pixels can't measure the same point: where several of a depth image are at the origin, which is
+// where the camera itself is, nothing was measured. A program that writes NaN does not mean that.
+inline bool has_repeated_origin(const std::vector<Point>& points)
+{
+  return std::count(points.begin(), points.end(), Point(CGAL::ORIGIN)) > 1 &&
+         std::none_of(points.begin(), points.end(), is_gap<Point>);
 }
 
 } // namespace Shape_io

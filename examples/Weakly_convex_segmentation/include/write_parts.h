@@ -32,6 +32,9 @@ enum class Encoding
   ASCII
 };
 
+// A line of the header by which our own files can be told from others.
+constexpr const char* comment_of_parts = "parts of a weakly convex segmentation";
+
 // What is known of the parts.
 struct Parts
 {
@@ -260,8 +263,7 @@ inline void write_parts(std::ostream& out, const Shape& shape, const Parts& part
   // before anything is written: a file that can't be flushed for another locale is of no use after
   out.imbue(std::locale::classic());
   out << "ply\nformat " << (encoding == Encoding::ASCII ? "ascii" : "binary_little_endian")
-      << " 1.0\ncomment parts of a weakly convex segmentation\nelement vertex "
-      << shape.points.size() << '\n';
+      << " 1.0\ncomment " << comment_of_parts << "\nelement vertex " << shape.points.size() << '\n';
   internal::declare_coordinates(out, internal::type_of_coordinates(shape.points), "");
   if (!shape.normals.empty())
     internal::declare_coordinates(out, internal::type_of_coordinates(shape.normals), "n");

@@ -105,7 +105,7 @@ inline void write_positions(std::ostream& out, const Shape_io::Shape& shape)
 {
   std::vector<Shape_io::Point> points;
   for (const Shape_io::Point& p : shape.points)
-    if (!Shape_io::is_gap(p)) points.push_back(p);
+    if (!Shape_io::is_gap(shape, p)) points.push_back(p);
   std::array<double, 3> center = {};
   double scale = 1.;
   if (!points.empty())

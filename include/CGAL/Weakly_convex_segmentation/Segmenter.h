@@ -51,7 +51,8 @@ public:
   Segmenter(const PointRange& points, const PolygonRange& polygons, const Parameters& parameters,
             const NamedParameters& np)
     : Segmenter(internal::read_soup(points, polygons, internal::point_map_of(points, np),
-                                    internal::traits_of(np)),
+                                    internal::traits_of(np),
+                                    internal::read_control<ConcurrencyTag>(np)),
                 parameters, internal::read_control<ConcurrencyTag>(np),
                 internal::read_seed(np, parameters))
   {}

@@ -234,6 +234,7 @@ inline bool sample_faces(const Raw_points& raw, const Parameters& parameters, Ra
   }
   if (samples.faces.empty()) return false;
 
+  result.exponent = raw.exponent;
   result.positions = raw.positions;
   result.normals = raw.normals;
   for (std::size_t f = 0; f < faces; ++f) result.element_of.push_back(static_cast<Index>(f));

@@ -6,11 +6,13 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
+#include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -33,6 +35,7 @@ struct Raw_points
   std::vector<Index> element_of; ///< input element of each point; empty if they are the same
   std::vector<std::size_t> first_corner;      ///< of each face in `corners`, and the end; or empty
   std::vector<std::array<double, 3>> corners; ///< of all faces
+  int exponent = 0; ///< lengths of the input are those here, times 2 to the power of this
 };
 
 /// Points in the frame of the method: centered at the centroid, extent 1, in spatial order.
@@ -71,6 +74,12 @@ inline std::uint64_t spread_bits(std::uint64_t v)
   return v;
 }
 
+[[noreturn]] inline void refuse_extent()
+{
+  throw std::invalid_argument(
+      "the coordinates are so large that the extent of the shape overflows; scale the shape down");
+}
+
 /// The axis-aligned bounding cube of the points.
 struct Bounding_cube
 {
@@ -90,8 +99,7 @@ inline Bounding_cube bounding_cube(const std::vector<std::array<double, 3>>& pos
       high[c] = (std::max)(high[c], p[c]);
     }
   const double side = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-  if (!std::isfinite(side))
-    throw std::invalid_argument("the extent of the points overflows; scale the shape down");
+  if (!std::isfinite(side)) refuse_extent();
   return {low, side};
 }
 
@@ -156,7 +164,8 @@ renamed_links(const std::vector<std::array<Index, 2>>& links, const std::vector<
 /// rotation. Complexity: O(n log n) for the spatial sort.
 /// \throws std::invalid_argument if there are no points, too many for 32 bits, or coordinates that
 /// are not finite.
-inline Oriented_points orient_points(const Raw_points& raw, const bool parallel = false)
+inline Oriented_points orient_points(const Raw_points& raw, const bool parallel = false,
+                                     const Run_control& control = {})
 {
   const std::size_t n = raw.positions.size();
   if (n == 0) throw std::invalid_argument("there are no points to segment");
@@ -168,6 +177,7 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   const Bounding_cube cube = bounding_cube(raw.positions);
   Oriented_points points;
   const std::vector<Index> order = spatial_order(raw, cube, parallel);
+  control.check();
 
   // relative to the corner, against cancellation, and to the side, whose square may overflow
   const double side = cube.side > 0. ? cube.side : 1.;
@@ -189,6 +199,7 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   for (double& c : centroid) c *= side;
   points.extent = squared_radius > 0. ? 2. * std::sqrt(squared_radius) * side : 1.;
 
+  control.check();
   points.positions.resize(n);
   points.normals.resize(n);
   parallel_for(
@@ -212,6 +223,8 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
     for (std::size_t i = 0; i < n; ++i) rank[order[i]] = static_cast<Index>(i);
     points.links = renamed_links(raw.links, rank);
   }
+  points.extent = std::ldexp(points.extent, raw.exponent);
+  if (!std::isfinite(points.extent)) refuse_extent();
   points.elements = order;
   points.number_of_elements = n;
   if (!raw.element_of.empty())

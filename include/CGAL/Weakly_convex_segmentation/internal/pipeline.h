@@ -6,13 +6,13 @@
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
-#include <CGAL/Weakly_convex_segmentation/Visitor.h>
 #include <CGAL/Weakly_convex_segmentation/internal/alpha_expansion_refinement.h>
 #include <CGAL/Weakly_convex_segmentation/internal/component_fusion.h>
 #include <CGAL/Weakly_convex_segmentation/internal/component_merging.h>
 #include <CGAL/Weakly_convex_segmentation/internal/cost_merging.h>
 #include <CGAL/Weakly_convex_segmentation/internal/fitted_cost_table.h>
 #include <CGAL/Weakly_convex_segmentation/internal/fitted_merging.h>
+#include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
 #include <cstddef>
@@ -173,7 +173,8 @@ inline Merge_tree merge_patches(Shape_analysis& shape, const Parameters& paramet
     shape.diameters = shape_diameters(*shape.sight, parameters, control.parallel);
   Merge_tree tree(shape.patches.size());
   Region_graph graph(shape.points(), shape.graph, shape.patches, *shape.visibility, parameters);
-  const Contraction_log log{tree, control.visitor};
+  Asking_visitor asking(control);
+  const Contraction_log log{tree, &asking};
   if (parameters.merging == Merging_rule::COST)
     merge_by_cost(shape, graph, parameters, control, log);
   else if (parameters.merging == Merging_rule::FITTED)
@@ -209,6 +210,7 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
       parameters.band_width == 0.)
     return result;
 
+  control.check();
   // the borders of the representatives are right up to their spacing: a narrower band is enough
   const float spacing =
       std::accumulate(shape.graph.spacing.begin(), shape.graph.spacing.end(), 0.f) /
@@ -221,11 +223,13 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
   for (Index i = 0; i < result.size(); ++i)
     if (band[shape.representative(i)].other >= 0) near_border.push_back(i);
   if (near_border.empty()) return result;
+  control.check();
 
   Oriented_points points = sub_points(shape.input, near_border);
   if (!parameters.use_mesh_adjacency) points.links.clear();
   const Neighbor_graph graph =
       build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel);
+  control.check();
   std::vector<int> band_labels;
   for (const Index i : near_border) band_labels.push_back(result[i]);
   move_borders(graph, fine, band_labels, control.parallel);
@@ -320,6 +324,7 @@ inline Result finish_segmentation(const Shape_analysis& shape, Merge_tree tree,
                 {
                   const std::size_t moved =
                       refine_borders(shape.graph, parameters, labels, control.parallel);
+                  control.check();
                   input_labels = carry_labels(shape, labels, parameters, control);
                   return moved;
                 });
@@ -328,8 +333,10 @@ inline Result finish_segmentation(const Shape_analysis& shape, Merge_tree tree,
                 {
                   result.labels = element_labels(shape.input, input_labels);
                   const std::size_t count = number_labels(result.labels);
+                  control.check();
                   relabel_representatives(shape, result.labels, labels);
                   result.segments = describe_segments(shape, labels, result.labels, count);
+                  control.check();
                   result.patches = element_patches(shape);
                   return count;
                 });

@@ -16,7 +16,9 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -134,9 +136,37 @@ auto point_map_of(const Range&, const NamedParameters& np)
       CGAL::Identity_property_map<Element>());
 }
 
+/// returns the power of two that brings coordinates to about 1 where areas or volumes of them might
+/// overflow or vanish; 0, for which nothing changes, if they are between 2^-100 and 2^100.
+inline int unusual_exponent(const std::vector<Coordinates>& coordinates)
+{
+  constexpr int usual = 100;
+  double largest = 0.;
+  for (const Coordinates& p : coordinates)
+    for (const double c : p)
+      if (std::isfinite(c)) largest = (std::max)(largest, std::abs(c));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::abs(exponent) > usual ? exponent : 0;
+}
+
+inline Coordinates scaled(const Coordinates& p, const int exponent)
+{
+  return {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)};
+}
+
+/// brings positions of an unusual magnitude to about 1.
+inline void scale_points(Raw_points& raw)
+{
+  raw.exponent = unusual_exponent(raw.positions);
+  if (raw.exponent == 0) return;
+  for (Coordinates& p : raw.positions) p = scaled(p, -raw.exponent);
+}
+
 /// reads a range of points. Without a normal map the normals are estimated.
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
-Raw_points read_points(const PointRange& range, const NamedParameters& np)
+Raw_points read_points(const PointRange& range, const NamedParameters& np,
+                       const Run_control& control)
 {
   const auto point_map = point_map_of(range, np);
   const Coordinate_reader coordinates(traits_of(np));
@@ -144,6 +174,7 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np)
   const auto size = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
   raw.positions.reserve(size);
   for (const auto& element : range) raw.positions.push_back(coordinates(get(point_map, element)));
+  scale_points(raw);
   if constexpr (is_given<NamedParameters, CGAL::internal_np::normal_t>)
   {
     const auto normal_map = CGAL::parameters::get_parameter(np, CGAL::internal_np::normal_map);
@@ -153,19 +184,21 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np)
   else
   {
     check_finite(raw.positions, "position");
-    estimate_normals<ConcurrencyTag>(raw);
+    estimate_normals<ConcurrencyTag>(raw, control);
   }
   return raw;
 }
 
 /// reads a `CGAL::Point_set_3`, with its normals if it has them.
 template <typename ConcurrencyTag, typename PointSet, typename NamedParameters>
-Raw_points read_point_set(const PointSet& points, const NamedParameters& np)
+Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
+                          const Run_control& control)
 {
   const Coordinate_reader coordinates(traits_of(np));
   Raw_points raw;
   raw.positions.reserve(points.size());
   for (const auto& index : points) raw.positions.push_back(coordinates(points.point(index)));
+  scale_points(raw);
   if (points.has_normal_map())
   {
     raw.normals.reserve(points.size());
@@ -174,7 +207,7 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np)
   else
   {
     check_finite(raw.positions, "position");
-    estimate_normals<ConcurrencyTag>(raw);
+    estimate_normals<ConcurrencyTag>(raw, control);
   }
   return raw;
 }
@@ -199,10 +232,29 @@ inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_points& raw
   raw.first_corner.push_back(raw.corners.size());
 }
 
+/// adds the polygons again, about of size 1, if their coordinates are of an unusual magnitude.
+inline void scale_polygons(Raw_points& raw)
+{
+  raw.exponent = unusual_exponent(raw.corners);
+  if (raw.exponent == 0) return;
+  const std::vector<Coordinates> corners = std::move(raw.corners);
+  const std::vector<std::size_t> first = std::move(raw.first_corner);
+  raw.positions.clear(), raw.normals.clear(), raw.corners.clear(), raw.first_corner.clear();
+  std::vector<Coordinates> polygon;
+  for (std::size_t f = 0; f + 1 < first.size(); ++f)
+  {
+    polygon.clear();
+    for (std::size_t i = first[f]; i < first[f + 1]; ++i)
+      polygon.push_back(scaled(corners[i], -raw.exponent));
+    add_polygon(polygon, raw);
+  }
+}
+
 /// reads a mesh as one point a face (section 6): centroid, normal, and links between faces that
 /// share an edge.
 template <typename FaceGraph, typename VertexPointMap, typename Traits>
-Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const Traits& traits)
+Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const Traits& traits,
+                     const Run_control& control = {})
 {
   const Coordinate_reader coordinates(traits);
   using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
@@ -216,6 +268,7 @@ Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const 
       corners.push_back(coordinates(get(points, v)));
     index.emplace(f, static_cast<Index>(raw.positions.size()));
     add_polygon(corners, raw);
+    control.check_sometimes();
   }
   const face_descriptor none = boost::graph_traits<FaceGraph>::null_face();
   for (const auto e : edges(mesh))
@@ -223,7 +276,9 @@ Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const 
     const auto h = halfedge(e, mesh);
     const face_descriptor f = face(h, mesh), g = face(opposite(h, mesh), mesh);
     if (f != none && g != none) raw.links.push_back({index.at(f), index.at(g)});
+    control.check_sometimes();
   }
+  scale_polygons(raw);
   return raw;
 }
 
@@ -243,13 +298,15 @@ inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& 
 template <typename PointRange, typename PolygonRange, typename PointMap,
           typename Traits = Default_traits>
 Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, const PointMap& map,
-                     const Traits& traits = Traits())
+                     const Traits& traits = Traits(), const Run_control& control = {})
 {
+  control.progress(0.);
   const Coordinate_reader coordinates(traits);
   std::vector<Coordinates> positions;
   for (const auto& p : points) positions.push_back(coordinates(get(map, p)));
   check_finite(positions, "position");
   const std::vector<std::size_t> welded = welded_vertices(positions);
+  control.check();
 
   Raw_points raw;
   std::map<std::pair<std::size_t, std::size_t>, Index> first_at_edge;
@@ -273,6 +330,7 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
     if (corners.size() < 3)
       throw std::invalid_argument("polygon " + std::to_string(f) + " has fewer than 3 corners");
     add_polygon(corners, raw);
+    control.check_sometimes();
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       const auto edge = std::minmax(vertices[i], vertices[(i + 1) % vertices.size()]);
@@ -281,6 +339,8 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
     }
     all_vertices.insert(all_vertices.end(), vertices.begin(), vertices.end());
   }
+  control.check();
+  scale_polygons(raw);
   if (!raw.positions.empty()) orient_soup(all_vertices, raw.first_corner, raw);
   return raw;
 }
@@ -303,16 +363,18 @@ struct Is_point_set<CGAL::Point_set_3<Point, Vector>> : std::true_type
 template <typename ConcurrencyTag, typename Input, typename NamedParameters>
 Raw_points read_input(const Input& input, const NamedParameters& np)
 {
+  const Run_control control = read_control<ConcurrencyTag>(np);
+  control.progress(0.);
   if constexpr (Is_point_set<Input>::value)
-    return read_point_set<ConcurrencyTag>(input, np);
+    return read_point_set<ConcurrencyTag>(input, np, control);
   else if constexpr (Is_range<Input>::value)
-    return read_points<ConcurrencyTag>(input, np);
+    return read_points<ConcurrencyTag>(input, np, control);
   else
     return read_mesh(input,
                      CGAL::parameters::choose_parameter(
                          CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
                          get_const_property_map(CGAL::vertex_point, input)),
-                     traits_of(np));
+                     traits_of(np), control);
 }
 
 /// writes the labels back through the caller's map.

@@ -5,17 +5,16 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SHAPE_ANALYSIS_H
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/Visitor.h>
 #include <CGAL/Weakly_convex_segmentation/internal/mesh_samples.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/normal_direction.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
+#include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
 #include <CGAL/Weakly_convex_segmentation/internal/volumetric_signatures.h>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,29 +24,6 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// How a run talks to its caller.
-struct Run_control
-{
-  bool parallel = false;
-  Visitor* visitor = nullptr;
-  std::function<bool(double)> callback; ///< progress in [0, 1]; false cancels
-
-  void progress(const double share) const
-  {
-    if (callback && !callback(share)) throw Canceled();
-  }
-
-  /// runs one stage between its events; `work` returns the number of things made.
-  template <typename Work>
-  void stage(const Stage stage, const Work& work) const
-  {
-    if (visitor != nullptr) visitor->stage_begins(stage);
-    const std::size_t size = work();
-    if (visitor != nullptr) visitor->stage_ends(stage, size);
-    progress((static_cast<double>(stage) + 1.) / number_of_stages);
-  }
-};
 
 /// What is known of a shape before any merging: all that does not depend on thresholds.
 struct Shape_analysis
@@ -77,10 +53,13 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
                 [&]
                 {
                   Raw_points sampled;
-                  shape->input = orient_points(
-                      sample_faces(raw, parameters, sampled) ? sampled : raw, control.parallel);
+                  const bool has_more = sample_faces(raw, parameters, sampled);
+                  control.check();
+                  shape->input = orient_points(has_more ? sampled : raw, control.parallel, control);
+                  control.check();
                   shape->representatives =
                       choose_representatives(shape->input, parameters.number_of_representatives);
+                  control.check();
                   if (parameters.flip_inward_normals && is_inside_out(shape->points()))
                   {
                     flip_normals(shape->input);
@@ -108,6 +87,7 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
                 [&]
                 {
                   shape->sight = std::make_unique<Sight>(shape->points(), shape->graph, parameters);
+                  control.check();
                   shape->visibility = std::make_unique<Patch_visibility>(
                       *shape->sight, shape->patches, parameters, control.parallel);
                   return shape->sight->tree().size();
