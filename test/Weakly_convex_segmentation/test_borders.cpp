@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(the_band_holds_what_is_near_a_border)
   const Surface surface = plane(40);
   const auto labels = surface.labels([](const Coordinates& p) { return p[0] < 0.5 ? 3 : 8; });
   const float width = 0.1f;
-  const auto band = find_band(surface.graph, labels, width);
+  const auto band = find_band(surface.graph, labels, width, false);
   for (Index i = 0; i < surface.graph.size(); ++i)
   {
     const double x = surface.raw.positions[surface.points.elements[i]][0];
@@ -152,7 +152,8 @@ BOOST_AUTO_TEST_CASE(the_band_holds_what_is_near_a_border)
       BOOST_REQUIRE_GT(from_border, width - 0.02);
   }
   const auto one = surface.labels([](const Coordinates&) { return 0; });
-  for (const Band_point& b : find_band(surface.graph, one, width)) BOOST_REQUIRE_EQUAL(b.other, -1);
+  for (const Band_point& b : find_band(surface.graph, one, width, false))
+    BOOST_REQUIRE_EQUAL(b.other, -1);
 }
 
 BOOST_AUTO_TEST_CASE(a_jagged_border_moves_to_the_concave_edge)
@@ -171,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_jagged_border_moves_to_the_concave_edge)
     BOOST_CHECK_EQUAL(moved, number_of_differences(labels, jagged));
     BOOST_CHECK_LT(number_of_differences(labels, wanted), before / 10);
     // what is beyond the band has not moved
-    const auto band = find_band(surface.graph, jagged, 1.05f * float(parameters.band_width));
+    const auto band = find_band(surface.graph, jagged, 1.05f * float(parameters.band_width), false);
     for (Index i = 0; i < surface.graph.size(); ++i)
       if (band[i].other < 0) BOOST_REQUIRE_EQUAL(labels[i], jagged[i]);
   }

@@ -41,15 +41,14 @@ struct Band_point
   int other = -1; ///< label beyond that border; -1 outside of the band
 };
 
-/// returns for each point within `width` of a border, along the graph, the distance and the label
-/// beyond it.
-inline std::vector<Band_point> find_band(const Neighbor_graph& graph,
-                                         const std::vector<int>& labels, const float width)
+/// fills the band within one segment, whose points are `members`, ascending.
+inline void grow_band(const Neighbor_graph& graph, const std::vector<int>& labels,
+                      const std::vector<Index>& members, const float width,
+                      std::vector<Band_point>& band)
 {
-  std::vector<Band_point> band(graph.size());
   using Entry = std::pair<float, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
-  for (Index i = 0; i < graph.size(); ++i)
+  for (const Index i : members)
     for (const Neighbor& edge : graph[i])
       if (labels[edge.point] != labels[i] && 0.5f * edge.length < band[i].distance)
       {
@@ -71,8 +70,27 @@ inline std::vector<Band_point> find_band(const Neighbor_graph& graph,
       front.push({through, edge.point});
     }
   }
-  for (Band_point& b : band)
-    if (b.distance > width) b.other = -1;
+  for (const Index i : members)
+    if (band[i].distance > width) band[i].other = -1;
+}
+
+/// returns for each point within `width` of a border, along the graph, the distance and the label
+/// beyond it. Labels are numbered from 0.
+inline std::vector<Band_point> find_band(const Neighbor_graph& graph,
+                                         const std::vector<int>& labels, const float width,
+                                         const bool parallel)
+{
+  std::vector<std::vector<Index>> members; // no way leads from one segment into another
+  for (Index i = 0; i < graph.size(); ++i)
+  {
+    const auto label = static_cast<std::size_t>(labels[i]);
+    if (label >= members.size()) members.resize(label + 1);
+    members[label].push_back(i);
+  }
+  std::vector<Band_point> band(graph.size());
+  parallel_for(
+      members.size(), parallel,
+      [&](const std::size_t l) { grow_band(graph, labels, members[l], width, band); }, 1);
   return band;
 }
 
@@ -108,10 +126,10 @@ struct Seams
 
 /// returns the seams: the points that are nearer to the border between two labels than to any other.
 inline Seams find_seams(const Neighbor_graph& graph, const std::vector<int>& labels,
-                        const float width)
+                        const float width, const bool parallel)
 {
   Seams seams;
-  seams.band = find_band(graph, labels, width);
+  seams.band = find_band(graph, labels, width, parallel);
   std::map<std::pair<int, int>, std::vector<Index>> members;
   for (Index i = 0; i < graph.size(); ++i)
     if (seams.band[i].other >= 0) members[std::minmax(labels[i], seams.band[i].other)].push_back(i);
@@ -170,7 +188,8 @@ inline void cut_seams(const Neighbor_graph& graph, const Parameters& parameters,
                       std::vector<int>& labels, const bool parallel)
 {
   const std::vector<int> before = labels;
-  const Seams seams = find_seams(graph, before, static_cast<float>(parameters.band_width));
+  const Seams seams =
+      find_seams(graph, before, static_cast<float>(parameters.band_width), parallel);
   parallel_for(
       seams.members.size(), parallel,
       [&](const std::size_t s)

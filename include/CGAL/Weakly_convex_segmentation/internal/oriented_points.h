@@ -52,14 +52,22 @@ struct Oriented_points
 };
 
 /// \throws std::invalid_argument if a coordinate is not finite.
-inline void check_finite(const std::vector<std::array<double, 3>>& vectors, const char* what)
+inline void check_finite(const std::vector<std::array<double, 3>>& vectors, const char* what,
+                         const bool parallel = false)
 {
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-    for (const double c : vectors[i])
-      if (!std::isfinite(c))
-        throw std::invalid_argument("the " + std::string(what) + " of element " +
-                                    std::to_string(i) +
-                                    " is not finite; remove or repair the element");
+  const auto first_bad = map_blocks(vectors.size(), parallel,
+                                    [&vectors](const std::size_t begin, const std::size_t end)
+                                    {
+                                      std::size_t i = begin;
+                                      for (; i < end; ++i)
+                                        for (const double c : vectors[i])
+                                          if (!std::isfinite(c)) return i;
+                                      return vectors.size();
+                                    });
+  for (const std::size_t i : first_bad)
+    if (i < vectors.size())
+      throw std::invalid_argument("the " + std::string(what) + " of element " + std::to_string(i) +
+                                  " is not finite; remove or repair the element");
 }
 
 /// spreads the low 21 bits of `v` so that two zero bits follow each.
@@ -87,20 +95,37 @@ struct Bounding_cube
   double side;
 };
 
-inline Bounding_cube bounding_cube(const std::vector<std::array<double, 3>>& positions)
+inline Bounding_cube bounding_cube(const std::vector<std::array<double, 3>>& positions,
+                                   const bool parallel = false)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low = {infinity, infinity, infinity};
-  std::array<double, 3> high = {-infinity, -infinity, -infinity};
-  for (const auto& p : positions)
-    for (int c = 0; c < 3; ++c)
+  struct Box
+  {
+    std::array<double, 3> low = {infinity, infinity, infinity};
+    std::array<double, 3> high = {-infinity, -infinity, -infinity};
+    void add(const std::array<double, 3>& first, const std::array<double, 3>& last)
     {
-      low[c] = (std::min)(low[c], p[c]);
-      high[c] = (std::max)(high[c], p[c]);
+      for (int c = 0; c < 3; ++c)
+      {
+        low[c] = (std::min)(low[c], first[c]);
+        high[c] = (std::max)(high[c], last[c]);
+      }
     }
-  const double side = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  };
+  Box box;
+  for (const Box& of_block : map_blocks(positions.size(), parallel,
+                                        [&positions](const std::size_t begin, const std::size_t end)
+                                        {
+                                          Box own;
+                                          for (std::size_t i = begin; i < end; ++i)
+                                            own.add(positions[i], positions[i]);
+                                          return own;
+                                        }))
+    box.add(of_block.low, of_block.high);
+  const double side =
+      (std::max)({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
   if (!std::isfinite(side)) refuse_extent();
-  return {low, side};
+  return {box.low, side};
 }
 
 /// returns the input indices along a Morton curve. Neighbors in space become neighbors in memory,
@@ -138,8 +163,55 @@ inline std::vector<Index> spatial_order(const Raw_points& raw, const Bounding_cu
                   return a.index < b.index;
                 });
   std::vector<Index> order(keyed.size());
-  for (std::size_t i = 0; i < keyed.size(); ++i) order[i] = keyed[i].index;
+  parallel_for(
+      order.size(), parallel, [&](const std::size_t i) { order[i] = keyed[i].index; }, 4096);
   return order;
+}
+
+/// The sphere about the centroid that holds all points, in a unit of its own.
+struct Bounding_ball
+{
+  std::array<double, 3> center = {0., 0., 0.};
+  double radius = 0.;
+};
+
+/// returns the ball of `(p - corner) / side`. The sum over the points is in the order given, so that it
+/// does not depend on that of the input.
+inline Bounding_ball bounding_ball(const std::vector<std::array<double, 3>>& positions,
+                                   const std::vector<Index>& order, const Bounding_cube& cube,
+                                   const double side, const bool parallel)
+{
+  Bounding_ball ball;
+  for (const auto& sum : map_blocks(order.size(), parallel,
+                                    [&](const std::size_t begin, const std::size_t end)
+                                    {
+                                      std::array<double, 3> own = {0., 0., 0.};
+                                      for (std::size_t i = begin; i < end; ++i)
+                                        for (int c = 0; c < 3; ++c)
+                                          own[c] +=
+                                              (positions[order[i]][c] - cube.corner[c]) / side;
+                                      return own;
+                                    }))
+    for (int c = 0; c < 3; ++c) ball.center[c] += sum[c] / static_cast<double>(order.size());
+  for (const double squared :
+       map_blocks(positions.size(), parallel,
+                  [&](const std::size_t begin, const std::size_t end)
+                  {
+                    double largest = 0.;
+                    for (std::size_t i = begin; i < end; ++i)
+                    {
+                      double sum = 0.;
+                      for (int c = 0; c < 3; ++c)
+                      {
+                        const double d = (positions[i][c] - cube.corner[c]) / side - ball.center[c];
+                        sum += d * d;
+                      }
+                      largest = (std::max)(largest, sum);
+                    }
+                    return largest;
+                  }))
+    ball.radius = (std::max)(ball.radius, std::sqrt(squared));
+  return ball;
 }
 
 /// returns the links after renaming their ends by `new_index`, each once, the smaller end first.
@@ -171,33 +243,20 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   if (n == 0) throw std::invalid_argument("there are no points to segment");
   if (n >= std::numeric_limits<Index>::max())
     throw std::invalid_argument("there are 2^32 points or more; thin the shape first");
-  check_finite(raw.positions, "position");
-  check_finite(raw.normals, "normal");
+  check_finite(raw.positions, "position", parallel);
+  check_finite(raw.normals, "normal", parallel);
 
-  const Bounding_cube cube = bounding_cube(raw.positions);
+  const Bounding_cube cube = bounding_cube(raw.positions, parallel);
   Oriented_points points;
   const std::vector<Index> order = spatial_order(raw, cube, parallel);
   control.check();
 
   // relative to the corner, against cancellation, and to the side, whose square may overflow
   const double side = cube.side > 0. ? cube.side : 1.;
-  std::array<double, 3> centroid = {0., 0., 0.};
-  for (const Index i : order)
-    for (int c = 0; c < 3; ++c)
-      centroid[c] += (raw.positions[i][c] - cube.corner[c]) / side / static_cast<double>(n);
-  double squared_radius = 0.;
-  for (const auto& p : raw.positions)
-  {
-    double sum = 0.;
-    for (int c = 0; c < 3; ++c)
-    {
-      const double d = (p[c] - cube.corner[c]) / side - centroid[c];
-      sum += d * d;
-    }
-    squared_radius = (std::max)(squared_radius, sum);
-  }
+  const Bounding_ball ball = bounding_ball(raw.positions, order, cube, side, parallel);
+  std::array<double, 3> centroid = ball.center;
   for (double& c : centroid) c *= side;
-  points.extent = squared_radius > 0. ? 2. * std::sqrt(squared_radius) * side : 1.;
+  points.extent = ball.radius > 0. ? 2. * ball.radius * side : 1.;
 
   control.check();
   points.positions.resize(n);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
@@ -37,6 +38,19 @@ void parallel_for(const std::size_t n, const bool parallel, const Function& f,
   static_cast<void>(parallel);
 #endif
   for (std::size_t i = 0; i < n; ++i) f(i);
+}
+
+/// returns `f(begin, end)` for each block of `[0, n)`. The blocks are the same for any number of
+/// threads, and so is what is summed over them in order. What `f` returns has a default.
+template <typename Function>
+auto map_blocks(const std::size_t n, const bool parallel, const Function& f)
+{
+  constexpr std::size_t block = 16384;
+  std::vector<decltype(f(n, n))> results((n + block - 1) / block);
+  parallel_for(
+      results.size(), parallel,
+      [&](const std::size_t b) { results[b] = f(b * block, (std::min)((b + 1) * block, n)); }, 1);
+  return results;
 }
 
 /// sorts by a strict total order, so that the result does not depend on the number of threads.

@@ -97,6 +97,8 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
   std::vector<Group> groups;
   std::unordered_map<std::uint64_t, Index> first_in_voxel;
   first_in_voxel.reserve(2 * count);
+  std::uint64_t last_key = 0; // the next point is often in the same voxel
+  Index* last_first = nullptr;
 
   Representatives result;
   result.of_point.resize(points.size());
@@ -104,15 +106,17 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
   {
     const Vector3& n = points.normals[i];
     const std::uint64_t key = voxel_key(points.positions[i], side);
-    const auto slot = first_in_voxel.emplace(key, none).first;
-    Index g = slot->second;
+    if (last_first == nullptr || key != last_key)
+      last_first = &first_in_voxel.emplace(key, none).first->second; // stays when the map grows
+    last_key = key;
+    Index g = *last_first;
     const bool has_normal = squared_length(n) > 0.f; // points without one join any group
     while (g != none && has_normal && dot(groups[g].first_normal, n) < 0.5f) g = groups[g].next;
     if (g == none)
     {
       g = static_cast<Index>(groups.size());
-      groups.push_back({{}, {}, n, 0, slot->second});
-      slot->second = g;
+      groups.push_back({{}, {}, n, 0, *last_first});
+      *last_first = g;
     }
     groups[g].position = groups[g].position + points.positions[i];
     groups[g].normal = groups[g].normal + n;
