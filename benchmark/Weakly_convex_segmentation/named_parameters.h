@@ -73,6 +73,7 @@ inline std::map<std::string, Setter> setters()
       {"samples_per_patch", setter(&P::samples_per_patch)},
       {"disk_radius_factor", setter(&P::disk_radius_factor)},
       {"clearance_factor", setter(&P::clearance_factor)},
+      {"noise_tolerance", setter(&P::noise_tolerance)},
       {"grazing_tolerance", setter(&P::grazing_tolerance)},
       {"outside_tolerance", setter(&P::outside_tolerance)},
       {"rays_for_early_decision", setter(&P::rays_for_early_decision)},

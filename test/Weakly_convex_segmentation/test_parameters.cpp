@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -55,6 +56,7 @@ std::map<std::string, Range> ranges()
                                          {"samples_per_patch", {1., 100.}},
                                          {"disk_radius_factor", {1e-6, 10.}},
                                          {"clearance_factor", {0., 100.}},
+                                         {"noise_tolerance", {0., 180.}},
                                          {"grazing_tolerance", {0., 89.}},
                                          {"outside_tolerance", {0., 90.}},
                                          {"signature_threshold", {0., 1.}},
@@ -137,6 +139,7 @@ std::vector<Setting> settings()
           {"samples_per_patch", "default", "dumbbell", 3.},
           {"disk_radius_factor", "default", "dumbbell", 3.},
           {"clearance_factor", "default", "dumbbell", 10.},
+          {"noise_tolerance", "default", "rough dumbbell", 180.},
           {"grazing_tolerance", "default", "dumbbell", 30.},
           {"outside_tolerance", "default", "dumbbell", 2.},
           {"rays_for_early_decision", "default", "dumbbell", 2.},
@@ -221,6 +224,10 @@ const Raw_points& shape(const std::string& name)
                                          name == "hand" ? 6000 : 3000);
   if (is_stretched)
     for (auto& p : mesh.points) p[0] *= 8.;
+  std::mt19937 random(1);
+  if (name == "rough dumbbell")
+    for (auto& p : mesh.points)
+      for (double& c : p) c += 0.03 * uniform(random);
   slot->second = points_of_mesh(mesh);
   if (name == "inward dumbbell")
     for (auto& n : slot->second.normals) n = {-n[0], -n[1], -n[2]};

@@ -114,6 +114,10 @@ struct Parameters
   bool use_mesh_adjacency = true;
   /// seed of all random choices; any value
   unsigned int seed = 0;
+  /// The points are smoothed where noise turns the normals of neighbors by more degrees: where most
+  /// points have convex and concave edges in equal measure; `[0, 180]`, with 180 never. The positions
+  /// that are given stay as they are.
+  double noise_tolerance = 2.5;
 
   /// @}
   /// \name Patches (section 4)
@@ -259,6 +263,7 @@ inline Parameters Parameters::paper()
 {
   Parameters p;
   p.face_sampling_factor = 0.;  // section 6: one point a face
+  p.noise_tolerance = 180.;
   p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
   p.number_of_patches = 100;    // silent; the trial of the method used 100
   p.patch_concavity_tolerance = 0.;
@@ -317,6 +322,7 @@ inline void Parameters::check() const
   check("number_of_representatives", number_of_representatives, 100., 1e9);
   check("face_sampling_factor", face_sampling_factor, 0., 1000.);
   check("minimum_face_samples", minimum_face_samples, 0., 1e6);
+  check("noise_tolerance", noise_tolerance, 0., 180.);
   check("number_of_patches", number_of_patches, 1., 1000.);
   check("number_of_supervoxels", number_of_supervoxels, 1., 20000.);
   check("patch_concavity_tolerance", patch_concavity_tolerance, 0., 180.);

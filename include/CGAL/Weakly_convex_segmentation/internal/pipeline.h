@@ -199,13 +199,34 @@ inline std::size_t number_labels(std::vector<int>& labels)
   return static_cast<std::size_t>(next);
 }
 
+/// returns the input points whose representative is in the band, ascending.
+inline std::vector<Index> points_in_band(const Shape_analysis& shape,
+                                         const std::vector<Band_point>& band, const bool parallel)
+{
+  std::vector<Index> result;
+  for (const std::vector<Index>&of_block :
+       map_blocks(shape.input.size(), parallel,
+                  [&](const std::size_t begin, const std::size_t end)
+                  {
+                    std::vector<Index> own;
+                    for (std::size_t i = begin; i < end; ++i)
+                      if (band[shape.representative(i)].other >= 0)
+                        own.push_back(static_cast<Index>(i));
+                    return own;
+                  }))
+    result.insert(result.end(), of_block.begin(), of_block.end());
+  return result;
+}
+
 /// returns the labels of the input points in spatial order, from those of the representatives, with
 /// the borders refined anew among the points themselves: only those near a border are looked at.
 inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vector<int>& labels,
                                      const Parameters& parameters, const Run_control& control)
 {
   std::vector<int> result(shape.input.size());
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = labels[shape.representative(i)];
+  parallel_for(
+      result.size(), control.parallel,
+      [&](const std::size_t i) { result[i] = labels[shape.representative(i)]; }, 4096);
   if (shape.representatives.of_point.empty() || parameters.refinement == Refinement_rule::NONE ||
       parameters.band_width == 0.)
     return result;
@@ -217,18 +238,17 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
       static_cast<float>(shape.graph.size());
   Parameters fine = parameters;
   fine.band_width = (std::min)(parameters.band_width, 1.5 * static_cast<double>(spacing));
-  const std::vector<Band_point> band =
-      find_band(shape.graph, labels, static_cast<float>(fine.band_width) + spacing);
-  std::vector<Index> near_border;
-  for (Index i = 0; i < result.size(); ++i)
-    if (band[shape.representative(i)].other >= 0) near_border.push_back(i);
+  const std::vector<Band_point> band = find_band(
+      shape.graph, labels, static_cast<float>(fine.band_width) + spacing, control.parallel);
+  const std::vector<Index> near_border = points_in_band(shape, band, control.parallel);
   if (near_border.empty()) return result;
   control.check();
 
   Oriented_points points = sub_points(shape.input, near_border);
   if (!parameters.use_mesh_adjacency) points.links.clear();
-  const Neighbor_graph graph =
+  Neighbor_graph graph =
       build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel);
+  if (shape.is_smoothed) smooth_noise(radians(parameters.noise_tolerance), graph, points);
   control.check();
   std::vector<int> band_labels;
   for (const Index i : near_border) band_labels.push_back(result[i]);

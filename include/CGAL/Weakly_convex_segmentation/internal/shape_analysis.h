@@ -7,6 +7,7 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/mesh_samples.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/noise.h>
 #include <CGAL/Weakly_convex_segmentation/internal/normal_direction.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
@@ -33,6 +34,7 @@ struct Shape_analysis
   Representatives representatives;
   Neighbor_graph graph;
   Patches patches;
+  bool is_smoothed = false; ///< the representatives had too much noise
   std::unique_ptr<Sight> sight;
   std::unique_ptr<Patch_visibility> visibility;
   std::vector<Diameter_sample> diameters; ///< through the whole shape
@@ -75,6 +77,9 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
                   shape->graph =
                       build_neighbor_graph(shape->representatives.points,
                                            parameters.number_of_neighbors, control.parallel);
+                  shape->is_smoothed =
+                      smooth_noise(radians(parameters.noise_tolerance), shape->graph,
+                                   shape->representatives.points) > 0;
                   return shape->graph.neighbors.size() / 2;
                 });
   control.stage(Stage::PATCHES,

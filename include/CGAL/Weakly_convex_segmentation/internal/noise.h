@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_NOISE_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_NOISE_H
+
+#include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// Noise looks like concavity everywhere. Where the surface bends one way, all edges of a point are
+// concave or all are convex; noise makes both of every point. That tells it from shape, and a shape
+// without noise is left as it is. The paper is silent on noise in the input.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// returns how far the normals of neighbors differ by noise, in radians: the lower quartile over the
+/// points of twice the smaller one of the mean convex and the mean concave angle of its edges.
+inline float roughness(const Neighbor_graph& graph)
+{
+  std::vector<float> of_point(graph.size());
+  for (Index i = 0; i < graph.size(); ++i)
+  {
+    constexpr float other_sheet = radians(115.); // edges through a thin wall tell nothing
+    float concave = 0.f, convex = 0.f, edges = 0.f;
+    for (const Neighbor& edge : graph[i])
+      if (std::abs(edge.concavity) < other_sheet)
+      {
+        (edge.concavity > 0.f ? concave : convex) += std::abs(edge.concavity);
+        edges += 1.f;
+      }
+    of_point[i] = edges > 0.f ? 2.f * (std::min)(concave, convex) / edges : 0.f;
+  }
+  const auto quartile = of_point.begin() + static_cast<std::ptrdiff_t>(of_point.size() / 4);
+  std::nth_element(of_point.begin(), quartile, of_point.end());
+  return of_point.empty() ? 0.f : *quartile;
+}
+
+/// gives each point the mean normal of itself and its neighbors, and moves it along that normal into their
+/// mean plane. Neighbors whose product of normals with the point's is at most `other_side` do not count:
+/// they are of the other side of a thin part.
+inline void smooth_once(const Neighbor_graph& graph, const float other_side,
+                        Oriented_points& points)
+{
+  std::vector<Vector3> normals(points.size()), positions(points.size());
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    Vector3 normal = points.normals[i], away;
+    float count = 1.f;
+    for (const Neighbor& edge : graph[i])
+      if (dot(points.normals[i], points.normals[edge.point]) > other_side)
+      {
+        normal = normal + points.normals[edge.point];
+        away = away + (points.positions[edge.point] - points.positions[i]);
+        count += 1.f;
+      }
+    normals[i] = normalized(normal, points.normals[i]);
+    positions[i] = points.positions[i] + (dot(normals[i], away) / count) * normals[i];
+  }
+  points.normals = std::move(normals);
+  points.positions = std::move(positions);
+}
+
+/// smooths the points while the normals are rougher than `tolerance`, in radians, and renews the graph's
+/// lengths and angles. Returns how often. Complexity: linear.
+inline std::size_t smooth_noise(const float tolerance, Neighbor_graph& graph,
+                                Oriented_points& points)
+{
+  constexpr std::size_t most = 12;
+  constexpr float crumpled = radians(10.); // such normals tell nothing about sides
+  std::size_t rounds = 0;
+  for (float rough = roughness(graph); rounds < most && rough > tolerance; rough = roughness(graph))
+  {
+    ++rounds;
+    smooth_once(graph, rough > crumpled ? -2.f : 0.f, points);
+    for (Index i = 0; i < graph.size(); ++i)
+      for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
+      {
+        Neighbor& edge = graph.neighbors[e];
+        edge.length = length(points.positions[edge.point] - points.positions[i]);
+        edge.concavity = signed_concavity(points, i, edge.point);
+      }
+  }
+  return rounds;
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_NOISE_H
