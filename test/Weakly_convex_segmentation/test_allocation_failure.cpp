@@ -34,6 +34,18 @@ void* allocate(const std::size_t size)
 
 void* operator new(const std::size_t size) { return allocate(size); }
 void* operator new[](const std::size_t size) { return allocate(size); }
+// as the standard library has it, but for AddressSanitizer
+void* operator new(const std::size_t size, const std::nothrow_t&) noexcept
+{
+  try
+  {
+    return allocate(size);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

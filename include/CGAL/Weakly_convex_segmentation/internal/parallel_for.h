@@ -4,6 +4,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PARALLEL_FOR_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PARALLEL_FOR_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Fork_and_join.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -27,10 +29,13 @@ void parallel_for(const std::size_t n, const bool parallel, const Function& f,
 #ifdef CGAL_LINKED_WITH_TBB
   if (parallel && n > grain)
   {
+    Fork_and_join order;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                      [&f](const tbb::blocked_range<std::size_t>& range)
+                      [&f, &order](const tbb::blocked_range<std::size_t>& range)
                       {
+                        order.piece_begins();
                         for (std::size_t i = range.begin(); i != range.end(); ++i) f(i);
+                        order.piece_ends();
                       });
     return;
   }
@@ -58,7 +63,7 @@ template <typename Iterator, typename Less>
 void parallel_sort(const Iterator first, const Iterator last, const bool parallel, const Less& less)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  if (parallel)
+  if (parallel && !Fork_and_join::is_watched) // its own pieces can't be told of
   {
     tbb::parallel_sort(first, last, less);
     return;
