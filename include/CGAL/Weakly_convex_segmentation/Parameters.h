@@ -250,8 +250,9 @@ struct Parameters
   static Parameters paper();
 
   /// returns the preset whose merge cost is fitted to people's segmentations of the 190 odd-numbered
-  /// meshes of the Princeton Segmentation Benchmark (as meshes, as bare points, thinned, and as seen
-  /// from two and four sides); all else is as in the default preset.
+  /// meshes of the Princeton Segmentation Benchmark: as meshes (with three seeds), as bare points, half of
+  /// them, evenly sampled, as seen from one, two and four sides, and as a noisy depth camera sees them. All
+  /// else is as in the default preset.
   static Parameters fitted();
 
   /// checks all ranges; a segmentation does so before its first stage.
@@ -262,7 +263,7 @@ struct Parameters
 inline Parameters Parameters::paper()
 {
   Parameters p;
-  p.face_sampling_factor = 0.;  // section 6: one point a face
+  p.face_sampling_factor = 0.; // section 6: one point a face
   p.noise_tolerance = 180.;
   p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
   p.number_of_patches = 100;    // silent; the trial of the method used 100
