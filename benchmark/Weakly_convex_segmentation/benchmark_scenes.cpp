@@ -108,7 +108,8 @@ Row run(const Shape_io::Shape& shape, const std::vector<int>& truth, const std::
 {
   Row row{scene, method, {}, 0., ""};
   Scene_objects::Options scene_options = options.scene;
-  if (method == "default") scene_options.parameters = Scene_objects::WCS::Parameters();
+  if (method == "default")
+    scene_options.parameters = Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters());
   for (const std::string& s : options.settings)
     Named_parameters::set_parameter(scene_options.parameters, s);
   std::vector<int> labels(shape.points.size(), -1);

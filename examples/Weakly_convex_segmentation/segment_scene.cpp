@@ -65,7 +65,8 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
   po::notify(map);
   if (preset != "default" && preset != "fitted")
     throw std::invalid_argument("there is no preset '" + preset + "'; use default or fitted");
-  if (preset == "default") options.parameters = Scene_objects::WCS::Parameters();
+  if (preset == "default")
+    options.parameters = Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters());
   if (!(options.cell > 0. && options.plane_distance > 0. && options.gap > 0.))
     throw std::invalid_argument("--cell, --plane-distance and --gap have to be above 0");
   if (!viewpoint.empty() && viewpoint.size() != 3)
