@@ -23,7 +23,8 @@ namespace CGAL {
 /// convex components where they see each other inside of the shape, components of similar volume are
 /// merged, and the borders refined.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result does not depend on it
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result does not depend on it. With the
+///   latter, the maps of a range of points are read by several threads at once.
 /// \tparam Input one of
 ///   - a model of `ConstRange` of points: the value type is the key type of the maps;
 ///   - a `CGAL::Point_set_3`, with or without normals: its index is the key type of `LabelMap`;

@@ -260,11 +260,16 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
 /// returns one label an input element from those of the points: what most of its points have, the
 /// smallest of such.
 inline std::vector<int> element_labels(const Oriented_points& points,
-                                       const std::vector<int>& labels)
+                                       const std::vector<int>& labels, const bool parallel = false)
 {
   std::vector<int> result(points.number_of_elements);
-  for (std::size_t i = 0; i < points.size(); ++i) result[points.elements[i]] = labels[i];
-  if (points.size() == points.number_of_elements) return result;
+  if (points.size() == points.number_of_elements)
+  {
+    parallel_for(
+        points.size(), parallel,
+        [&](const std::size_t i) { result[points.elements[i]] = labels[i]; }, 4096);
+    return result;
+  }
 
   std::vector<std::pair<Index, int>> votes(points.size());
   for (std::size_t i = 0; i < votes.size(); ++i) votes[i] = {points.elements[i], labels[i]};
@@ -280,12 +285,14 @@ inline std::vector<int> element_labels(const Oriented_points& points,
 }
 
 /// returns the patch of each input element.
-inline std::vector<int> element_patches(const Shape_analysis& shape)
+inline std::vector<int> element_patches(const Shape_analysis& shape, const bool parallel = false)
 {
   std::vector<int> patches(shape.input.size());
-  for (std::size_t i = 0; i < patches.size(); ++i)
-    patches[i] = shape.patches.of_point[shape.representative(i)];
-  return element_labels(shape.input, patches);
+  parallel_for(
+      patches.size(), parallel,
+      [&](const std::size_t i) { patches[i] = shape.patches.of_point[shape.representative(i)]; },
+      4096);
+  return element_labels(shape.input, patches, parallel);
 }
 
 /// gives each representative the final label of one of its points.
@@ -301,7 +308,7 @@ inline void relabel_representatives(const Shape_analysis& shape,
 inline std::vector<Segment> describe_segments(const Shape_analysis& shape,
                                               const std::vector<int>& point_labels,
                                               const std::vector<int>& element_labels,
-                                              const std::size_t count)
+                                              const std::size_t count, const bool parallel = false)
 {
   constexpr std::size_t rank_sample = 40; // 780 lines of sight a segment
   constexpr double rank_tolerance = 5.;   // degrees: flat faces and noise are not concave
@@ -320,10 +327,16 @@ inline std::vector<Segment> describe_segments(const Shape_analysis& shape,
   }
   for (const Diameter_sample& s : shape.diameters)
     diameters[point_labels[s.point]].add(scale, s.diameter);
+  parallel_for(
+      count, parallel,
+      [&](const std::size_t l)
+      {
+        segments[l].convexity_rank =
+            convexity_rank(*shape.sight, members[l], rank_sample, rank_tolerance);
+      },
+      1);
   for (std::size_t l = 0; l < count; ++l)
   {
-    segments[l].convexity_rank =
-        convexity_rank(*shape.sight, members[l], rank_sample, rank_tolerance);
     segments[l].diameter = diameters[l].median(scale) * shape.input.extent;
     segments[l].neighbors.assign(neighbors[l].begin(), neighbors[l].end());
   }
@@ -351,13 +364,14 @@ inline Result finish_segmentation(const Shape_analysis& shape, Merge_tree tree,
   control.stage(Stage::STATISTICS,
                 [&]
                 {
-                  result.labels = element_labels(shape.input, input_labels);
+                  result.labels = element_labels(shape.input, input_labels, control.parallel);
                   const std::size_t count = number_labels(result.labels);
                   control.check();
                   relabel_representatives(shape, result.labels, labels);
-                  result.segments = describe_segments(shape, labels, result.labels, count);
+                  result.segments =
+                      describe_segments(shape, labels, result.labels, count, control.parallel);
                   control.check();
-                  result.patches = element_patches(shape);
+                  result.patches = element_patches(shape, control.parallel);
                   return count;
                 });
   result.has_flipped_normals = shape.has_flipped_normals;

@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_READ_INPUT_H
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/coordinates.h>
 #include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/soup_orientation.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -39,8 +39,6 @@ class Point_set_3;
 
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-using Coordinates = std::array<double, 3>;
 
 /// Default model of the concept `WeaklyConvexSegmentationTraits`: points and vectors of any CGAL kernel.
 struct Default_traits
@@ -136,29 +134,10 @@ auto point_map_of(const Range&, const NamedParameters& np)
       CGAL::Identity_property_map<Element>());
 }
 
-/// returns the power of two that brings coordinates to about 1 where areas or volumes of them might
-/// overflow or vanish; 0, for which nothing changes, if they are between 2^-100 and 2^100.
-inline int unusual_exponent(const std::vector<Coordinates>& coordinates)
-{
-  constexpr int usual = 100;
-  double largest = 0.;
-  for (const Coordinates& p : coordinates)
-    for (const double c : p)
-      if (std::isfinite(c)) largest = (std::max)(largest, std::abs(c));
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return std::abs(exponent) > usual ? exponent : 0;
-}
-
-inline Coordinates scaled(const Coordinates& p, const int exponent)
-{
-  return {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)};
-}
-
 /// brings positions of an unusual magnitude to about 1.
-inline void scale_points(Raw_points& raw)
+inline void scale_points(Raw_points& raw, const bool parallel)
 {
-  raw.exponent = unusual_exponent(raw.positions);
+  raw.exponent = unusual_exponent(raw.positions, parallel);
   if (raw.exponent == 0) return;
   for (Coordinates& p : raw.positions) p = scaled(p, -raw.exponent);
 }
@@ -171,15 +150,16 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np,
   const auto point_map = point_map_of(range, np);
   const Coordinate_reader coordinates(traits_of(np));
   Raw_points raw;
-  const auto size = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
-  raw.positions.reserve(size);
-  for (const auto& element : range) raw.positions.push_back(coordinates(get(point_map, element)));
-  scale_points(raw);
+  raw.positions =
+      read_coordinates(range, control.parallel,
+                       [&](const auto& element) { return coordinates(get(point_map, element)); });
+  scale_points(raw, control.parallel);
   if constexpr (is_given<NamedParameters, CGAL::internal_np::normal_t>)
   {
     const auto normal_map = CGAL::parameters::get_parameter(np, CGAL::internal_np::normal_map);
-    raw.normals.reserve(size);
-    for (const auto& element : range) raw.normals.push_back(coordinates(get(normal_map, element)));
+    raw.normals = read_coordinates(range, control.parallel,
+                                   [&](const auto& element)
+                                   { return coordinates(get(normal_map, element)); });
   }
   else
   {
@@ -196,13 +176,15 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
 {
   const Coordinate_reader coordinates(traits_of(np));
   Raw_points raw;
-  raw.positions.reserve(points.size());
-  for (const auto& index : points) raw.positions.push_back(coordinates(points.point(index)));
-  scale_points(raw);
+  raw.positions =
+      read_coordinates(points, control.parallel,
+                       [&](const auto& index) { return coordinates(points.point(index)); });
+  scale_points(raw, control.parallel);
   if (points.has_normal_map())
   {
-    raw.normals.reserve(points.size());
-    for (const auto& index : points) raw.normals.push_back(coordinates(points.normal(index)));
+    raw.normals =
+        read_coordinates(points, control.parallel,
+                         [&](const auto& index) { return coordinates(points.normal(index)); });
   }
   else
   {

@@ -5,12 +5,14 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REPRESENTATIVES_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
+#include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -31,18 +33,21 @@ struct Representatives
 /// returns the number of occupied cells of the octree over every `step`-th of the points, a level from
 /// the root.
 inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points,
-                                                  const std::size_t step)
+                                                  const std::size_t step, const bool parallel)
 {
   const auto cell = [](const float c)
   { return spread_bits(static_cast<std::uint64_t>((std::max)(0.f, c + 0.5f) * 2097151.f)); };
   std::vector<std::uint64_t> keys((points.size() + step - 1) / step);
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    const Vector3& p = points.positions[i * step];
-    keys[i] = cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
-  }
+  parallel_for(
+      keys.size(), parallel,
+      [&](const std::size_t i)
+      {
+        const Vector3& p = points.positions[i * step];
+        keys[i] = cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
+      },
+      4096);
   // the points are in the order of another cube, which would count a cell at each return to it
-  std::sort(keys.begin(), keys.end());
+  parallel_sort(keys.begin(), keys.end(), parallel, std::less<std::uint64_t>());
   std::array<std::size_t, 22> starting{}; // cells whose first point differs first at that level
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
@@ -58,11 +63,13 @@ inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points,
 }
 
 /// returns the side of a voxel grid that has about `count` occupied voxels.
-inline float voxel_side(const Oriented_points& points, const std::size_t count)
+inline float voxel_side(const Oriented_points& points, const std::size_t count,
+                        const bool parallel = false)
 {
   // ten points in a voxel tell that it is occupied as well as a hundred do
   const auto cells = occupied_cells(
-      points, (std::max)(points.size() / (10 * (std::max)(count, std::size_t(1))), std::size_t(1)));
+      points, (std::max)(points.size() / (10 * (std::max)(count, std::size_t(1))), std::size_t(1)),
+      parallel);
   int level = 0;
   while (level < 20 && cells[level + 1] <= count) ++level;
   const double low = static_cast<double>(cells[level]);
@@ -84,7 +91,8 @@ inline std::uint64_t voxel_key(const Vector3& p, const float side)
 /// points are grouped only with normals within 60 degrees, so that thin parts do not vanish.
 ///
 /// Complexity: linear but for the sort of one integer a point.
-inline Representatives thin_points(const Oriented_points& points, const std::size_t count)
+inline Representatives thin_points(const Oriented_points& points, const std::size_t count,
+                                   const bool parallel)
 {
   struct Group
   {
@@ -93,7 +101,11 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
     Index next; // another group in the same voxel
   };
   constexpr Index none = static_cast<Index>(-1);
-  const float side = voxel_side(points, count);
+  const float side = voxel_side(points, count, parallel);
+  std::vector<std::uint64_t> keys(parallel ? points.size() : 0); // one thread makes them on its way
+  parallel_for(
+      keys.size(), parallel,
+      [&](const std::size_t i) { keys[i] = voxel_key(points.positions[i], side); }, 4096);
   std::vector<Group> groups;
   std::unordered_map<std::uint64_t, Index> first_in_voxel;
   first_in_voxel.reserve(2 * count);
@@ -105,7 +117,7 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Vector3& n = points.normals[i];
-    const std::uint64_t key = voxel_key(points.positions[i], side);
+    const std::uint64_t key = parallel ? keys[i] : voxel_key(points.positions[i], side);
     if (last_first == nullptr || key != last_key)
       last_first = &first_in_voxel.emplace(key, none).first->second; // stays when the map grows
     last_key = key;
@@ -138,9 +150,9 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
 
 /// returns the points themselves if they are few, else about `count` representatives.
 inline Representatives choose_representatives(const Oriented_points& points,
-                                              const std::size_t count)
+                                              const std::size_t count, const bool parallel = false)
 {
-  if (points.size() > count + count / 4) return thin_points(points, count);
+  if (points.size() > count + count / 4) return thin_points(points, count, parallel);
   Representatives all;
   all.points = points;
   return all;

@@ -59,8 +59,8 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
                   control.check();
                   shape->input = orient_points(has_more ? sampled : raw, control.parallel, control);
                   control.check();
-                  shape->representatives =
-                      choose_representatives(shape->input, parameters.number_of_representatives);
+                  shape->representatives = choose_representatives(
+                      shape->input, parameters.number_of_representatives, control.parallel);
                   control.check();
                   if (parameters.flip_inward_normals && is_inside_out(shape->points()))
                   {
