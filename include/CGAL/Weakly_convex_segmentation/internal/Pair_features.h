@@ -243,7 +243,7 @@ inline void Pair_features::add_shapes(const int a, const int b, std::vector<floa
         of_u.short_axis, of_a.normal_mean, of_b.normal_mean, of_u.normal_mean, of_a.normal_least,
         of_b.normal_least, of_u.normal_least})
     add_feature(f, value);
-  add_feature(f, (axes_a.center - axes_b.center).norm() / axes_u.lengths[2]);
+  add_feature(f, length(axes_a.center - axes_b.center) / axes_u.lengths[2]);
   add_feature(f, axes_u.lengths[2] / (std::max)(axes_a.lengths[2], axes_b.lengths[2]));
   add_seam_shape(first, second, axes_a, axes_b, axes_u, m_graph.seam(a, b), f);
 }
@@ -254,19 +254,19 @@ inline void Pair_features::add_seam_shape(const Region& first, const Region& sec
                                           const Axes& axes_u, const Seam& seam,
                                           std::vector<float>& f) const
 {
-  const double ends = 2. * seam.edges, length = 0.5 * seam.shape.length;
+  const double ends = 2. * seam.edges, seam_length = 0.5 * seam.shape.length;
   const Axes ring(seam.shape.position, seam.shape.position_squares, ends);
-  add_feature(f, seam.shape.normal.norm() / ends);
+  add_feature(f, length(seam.shape.normal) / ends);
   add_feature(f, ring.lengths[0] / ring.lengths[2]);
   add_feature(f, ring.lengths[1] / ring.lengths[2]);
   add_feature(f, ring.lengths[2] / axes_u.lengths[2]);
-  add_feature(f, ratio_or_missing(length * axes_a.lengths[2], first.shape.area));
-  add_feature(f, ratio_or_missing(length * axes_b.lengths[2], second.shape.area));
+  add_feature(f, ratio_or_missing(seam_length * axes_a.lengths[2], first.shape.area));
+  add_feature(f, ratio_or_missing(seam_length * axes_b.lengths[2], second.shape.area));
   for (const Axes* axes : {&axes_a, &axes_b})
-    add_feature(f, (ring.center - axes->center).norm() / axes->lengths[2]);
+    add_feature(f, length(ring.center - axes->center) / axes->lengths[2]);
   for (const Axes* axes : {&axes_a, &axes_b})
-    add_feature(f, std::abs((ring.center - axes->center).normalized().dot(axes->direction)));
-  add_feature(f, std::abs(axes_a.direction.dot(axes_b.direction)));
+    add_feature(f, std::abs(dot(normalized(ring.center - axes->center), axes->direction)));
+  add_feature(f, std::abs(dot(axes_a.direction, axes_b.direction)));
 }
 
 /// Hand-made costs: two of few terms, and the default's. Trees meet kinds of shape that they were not

@@ -4,11 +4,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REGION_SHAPE_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REGION_SHAPE_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Second_moments.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -27,19 +25,17 @@ namespace internal {
 /// Sums over the points of a region.
 struct Region_shape
 {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d position_squares = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d normal_squares = Eigen::Matrix3d::Zero();
+  Double3 position, normal;
+  Second_moments position_squares, normal_squares;
   double area = 0.; ///< sum of the squared spacings, proportional to the area
 
   void add(const Vector3& p, const Vector3& n, const float spacing)
   {
-    const Eigen::Vector3d x(p.x, p.y, p.z), m(n.x, n.y, n.z);
+    const Double3 x{p.x, p.y, p.z}, m{n.x, n.y, n.z};
     position += x;
     normal += m;
-    position_squares += x * x.transpose();
-    normal_squares += m * m.transpose();
+    position_squares += Second_moments(x);
+    normal_squares += Second_moments(m);
     area += static_cast<double>(spacing) * spacing;
   }
   Region_shape& operator+=(const Region_shape& other)
@@ -56,17 +52,16 @@ struct Region_shape
 /// Sums over the neighbor edges across a seam, each seen from both ends.
 struct Seam_shape
 {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< of the edges' ends
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d position_squares = Eigen::Matrix3d::Zero();
+  Double3 position, normal; ///< of the edges' ends
+  Second_moments position_squares;
   double length = 0.; ///< sum of the spacing at the edges, proportional to the length
 
   void add(const Vector3& p, const Vector3& n, const float spacing)
   {
-    const Eigen::Vector3d x(p.x, p.y, p.z);
+    const Double3 x{p.x, p.y, p.z};
     position += x;
-    normal += Eigen::Vector3d(n.x, n.y, n.z);
-    position_squares += x * x.transpose();
+    normal += Double3{n.x, n.y, n.z};
+    position_squares += Second_moments(x);
     length += static_cast<double>(spacing);
   }
   Seam_shape& operator+=(const Seam_shape& other)
@@ -200,31 +195,34 @@ private:
   std::vector<std::array<Mean_surface, Seam_profile::number_of_radii>> m_means;
 };
 
+inline Second_moments covariance(const Double3& sum, const Second_moments& squares,
+                                 const double count)
+{
+  return squares / count - Second_moments(sum / count);
+}
+
 /// Axes of a cloud of points by its covariance.
 struct Axes
 {
-  Eigen::Vector3d center;
-  Eigen::Vector3d lengths;   ///< standard deviations, ascending
-  Eigen::Vector3d direction; ///< of the longest
+  Double3 center;
+  Double3 lengths;   ///< standard deviations, ascending
+  Double3 direction; ///< of the longest
 
-  Axes(const Eigen::Vector3d& sum, const Eigen::Matrix3d& squares, const double count)
-    : center(sum / count)
+  Axes(const Double3& sum, const Second_moments& squares, const double count) : center(sum / count)
   {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(squares / count - center * center.transpose());
-    lengths = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
-    direction = solver.eigenvectors().col(2);
+    const Principal_axes axes(covariance(sum, squares, count));
+    const auto deviation = [](const double variance)
+    { return std::sqrt((std::max)(variance, 1e-12)); };
+    lengths = {deviation(axes.values.x), deviation(axes.values.y), deviation(axes.values.z)};
+    direction = axes.longest;
   }
 };
 
 /// standard deviation along the longest axis
-inline double longest_axis(const Eigen::Vector3d& sum, const Eigen::Matrix3d& squares,
-                           const double count)
+inline double longest_axis(const Double3& sum, const Second_moments& squares, const double count)
 {
-  const Eigen::Vector3d center = sum / count;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(squares / count - center * center.transpose(), Eigen::EigenvaluesOnly);
-  return std::sqrt((std::max)(1e-24, solver.eigenvalues()[2]));
+  const Principal_axes axes(covariance(sum, squares, count), false);
+  return std::sqrt((std::max)(1e-24, axes.values.z));
 }
 
 /// Shape of a region as ratios in [0, 1].
@@ -237,13 +235,12 @@ struct Shape_ratios
 
 inline Shape_ratios shape_ratios(const Region_shape& shape, const Axes& axes, const double size)
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(shape.normal_squares / size, Eigen::EigenvaluesOnly);
+  const Principal_axes normal_axes(shape.normal_squares / size, false);
   Shape_ratios ratios;
   ratios.middle_axis = axes.lengths[1] / axes.lengths[2];
   ratios.short_axis = axes.lengths[0] / axes.lengths[2];
-  ratios.normal_mean = shape.normal.norm() / size;
-  ratios.normal_least = (std::max)(0., solver.eigenvalues()[0]);
+  ratios.normal_mean = length(shape.normal) / size;
+  ratios.normal_least = (std::max)(0., normal_axes.values.x);
   return ratios;
 }
 
