@@ -5,10 +5,9 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_DISK_TREE_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/Disk.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Four.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Normal_bound.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -40,8 +39,6 @@ struct Ray_hit
 /// The disks of a shape, ready for lines of sight. Queries are thread safe.
 class Disk_tree
 {
-  using Four = Eigen::Array4f;
-
   /// Four disks; those that are missing have a negative squared radius, which no line crosses.
   struct Leaf
   {
@@ -155,11 +152,12 @@ private:
     std::array<Four, 3> in, out;
     for (int c = 0; c < 3; ++c)
     {
-      in[c] = (node.bounds[query.near_end[c]][c] - query.source[c]) * query.reciprocal[c];
-      out[c] = (node.bounds[1 - query.near_end[c]][c] - query.source[c]) * query.reciprocal[c];
+      const Four source(query.source[c]), reciprocal(query.reciprocal[c]);
+      in[c] = (node.bounds[query.near_end[c]][c] - source) * reciprocal;
+      out[c] = (node.bounds[1 - query.near_end[c]][c] - source) * reciprocal;
     }
-    entry = in[0].max(in[1]).max(in[2]).max(0.f);
-    return out[0].min(out[1]).min(out[2]).min(limit) - entry;
+    entry = maximum(maximum(maximum(in[0], in[1]), in[2]), Four(0.f));
+    return minimum(minimum(minimum(out[0], out[1]), out[2]), Four(limit)) - entry;
   }
 
   /// returns what `crossing()` does, for the disks of a leaf, as positions along the line, and a
@@ -167,21 +165,23 @@ private:
   Four crossings(const Leaf& leaf, const Query& query, Four& slope, Four& margin) const
   {
     std::array<Four, 3> to_center;
-    for (int c = 0; c < 3; ++c) to_center[c] = leaf.center[c] - query.source[c];
-    const auto& d = query.direction;
+    for (int c = 0; c < 3; ++c) to_center[c] = leaf.center[c] - Four(query.source[c]);
+    const std::array<Four, 3> d = {Four(query.direction[0]), Four(query.direction[1]),
+                                   Four(query.direction[2])};
     slope = leaf.normal[0] * d[0] + leaf.normal[1] * d[1] + leaf.normal[2] * d[2];
     const Four t = (leaf.normal[0] * to_center[0] + leaf.normal[1] * to_center[1] +
                     leaf.normal[2] * to_center[2]) /
                    slope;
-    Four off = Four::Zero(), from_source = Four::Zero(), from_target = Four::Zero();
+    Four off(0.f), from_source(0.f), from_target(0.f);
+    const auto square = [](const Four& a) { return a * a; };
     for (int c = 0; c < 3; ++c)
     {
-      off += (t * d[c] - to_center[c]).square();
-      from_source += to_center[c].square();
-      from_target += (to_center[c] - d[c]).square();
+      off = off + square(t * d[c] - to_center[c]);
+      from_source = from_source + square(to_center[c]);
+      from_target = from_target + square(to_center[c] - d[c]);
     }
-    const Four cleared = m_squared_clearance * leaf.squared_radius;
-    margin = (leaf.squared_radius - off).min(from_source.min(from_target) - cleared);
+    const Four cleared = Four(m_squared_clearance) * leaf.squared_radius;
+    margin = minimum(leaf.squared_radius - off, minimum(from_source, from_target) - cleared);
     return t;
   }
 
@@ -230,9 +230,9 @@ inline Disk_tree::Box Disk_tree::box_of(Entries first, const Entries last)
 inline std::uint32_t Disk_tree::add_leaf(const Entries first, const Entries last)
 {
   Leaf leaf;
-  leaf.squared_radius = Four::Constant(-1.f);
+  leaf.squared_radius = Four(-1.f);
   leaf.index.fill(Ray_hit::none);
-  for (int c = 0; c < 3; ++c) leaf.center[c] = leaf.normal[c] = Four::Zero();
+  for (int c = 0; c < 3; ++c) leaf.center[c] = leaf.normal[c] = Four(0.f);
   for (int k = 0; k < last - first; ++k)
   {
     const Entry& e = first[k];

@@ -4,9 +4,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_NEAREST_POINTS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_NEAREST_POINTS_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Four.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -26,7 +25,6 @@ namespace internal {
 /// A k-d tree. Queries are thread safe.
 class Nearest_points
 {
-  using Four = Eigen::Array4f;
   struct Block
   {
     std::array<Four, 3> position; ///< what only fills up lies far away
@@ -114,7 +112,7 @@ private:
     {
       Block block;
       block.index.fill(0);
-      for (Four& c : block.position) c = Four::Constant(far_away);
+      for (Four& c : block.position) c = Four(far_away);
       for (int k = 0; k < 4; ++k)
       {
         const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(4 * b) + k;
@@ -161,8 +159,12 @@ private:
                    std::array<std::uint64_t, maximum_k + 1>& best, std::size_t& count,
                    float bound) const
   {
-    Four distances = Four::Zero();
-    for (int c = 0; c < 3; ++c) distances += (block.position[c] - query[c]).square();
+    Four distances(0.f);
+    for (int c = 0; c < 3; ++c)
+    {
+      const Four along = block.position[c] - Four(query[c]);
+      distances = distances + along * along;
+    }
     for (int i = 0; i < 4; ++i)
     {
       if (distances[i] > bound) continue;

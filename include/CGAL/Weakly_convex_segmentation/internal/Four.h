@@ -1,0 +1,44 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_FOUR_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_FOUR_H
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// Four floats that are computed with at once, by Eigen. Each operation is one of its own: of long
+/// expressions, Eigen makes a type each with dozens of functions, which take a compiler seconds.
+class Four
+{
+  using Array = Eigen::Array4f;
+  Array m_array;
+
+  explicit Four(const Array& array) : m_array(array) {}
+
+public:
+  Four() = default; ///< of any values
+  explicit Four(const float all) : m_array(Array::Constant(all)) {}
+
+  float operator[](const int i) const { return m_array.coeff(i); }
+  float& operator[](const int i) { return m_array.coeffRef(i); }
+
+  friend Four operator+(const Four& a, const Four& b) { return Four(a.m_array + b.m_array); }
+  friend Four operator-(const Four& a, const Four& b) { return Four(a.m_array - b.m_array); }
+  friend Four operator*(const Four& a, const Four& b) { return Four(a.m_array * b.m_array); }
+  friend Four operator/(const Four& a, const Four& b) { return Four(a.m_array / b.m_array); }
+  friend Four minimum(const Four& a, const Four& b) { return Four(a.m_array.min(b.m_array)); }
+  friend Four maximum(const Four& a, const Four& b) { return Four(a.m_array.max(b.m_array)); }
+  friend float sum(const Four& a) { return a.m_array.sum(); }
+};
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_FOUR_H
