@@ -55,10 +55,10 @@ inline Row_matrix cluster_means(const Row_matrix& rows, const std::vector<Index>
   for (std::size_t i = 0; i < rows.rows(); ++i)
   {
     size[cluster[i]] += 1.f;
-    means.row(cluster[i]) += rows.row(i);
+    add_multiple(means.row(cluster[i]), rows.groups(), 1.f, rows.row(i));
   }
   for (std::size_t c = 0; c < count; ++c)
-    if (size[c] > 0.f) means.row(c) /= size[c];
+    if (size[c] > 0.f) divide(means.row(c), means.groups(), size[c]);
   return means;
 }
 
@@ -72,7 +72,8 @@ inline void move_to_nearest_means(const Normalized_graph& graph, const Row_matri
   for (int iteration = 0; iteration < maximum_iterations; ++iteration)
   {
     const Row_matrix means = cluster_means(rows, cluster, count);
-    for (std::size_t c = 0; c < count; ++c) half_norm[c] = 0.5f * means.row(c).square().sum();
+    for (std::size_t c = 0; c < count; ++c)
+      half_norm[c] = 0.5f * product_of(means.row(c), means.row(c), means.groups());
     std::vector<Index> next = cluster;
     std::vector<std::size_t> asked(count, graph.size());
     for (std::size_t i = 0; i < graph.size(); ++i)
@@ -82,7 +83,7 @@ inline void move_to_nearest_means(const Normalized_graph& graph, const Row_matri
       {
         if (std::exchange(asked[c], i) == i) return;
         // |x - c|^2 = |x|^2 - 2 x.c + |c|^2
-        const float nearness = (rows.row(i) * means.row(c)).sum() - half_norm[c];
+        const float nearness = product_of(rows.row(i), means.row(c), rows.groups()) - half_norm[c];
         if (nearness <= best + rounding) return;
         best = nearness;
         next[i] = c;

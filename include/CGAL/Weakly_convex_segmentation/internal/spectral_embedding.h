@@ -4,9 +4,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_EMBEDDING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_EMBEDDING_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Four.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -66,27 +65,56 @@ struct Normalized_graph
 class Row_matrix
 {
 public:
-  using Row = Eigen::Map<Eigen::ArrayXf>;
-  using Constant_row = Eigen::Map<const Eigen::ArrayXf>;
-
   Row_matrix(const std::size_t rows, const std::size_t columns)
-    : m_rows(rows), m_columns((columns + 3) / 4 * 4), m_values(rows * m_columns, 0.f)
+    : m_rows(rows), m_groups((columns + 3) / 4), m_values(rows * m_groups, Four(0.f))
   {}
   std::size_t rows() const { return m_rows; }
-  std::size_t columns() const { return m_columns; }
-  Row row(const std::size_t i)
+  std::size_t columns() const { return 4 * m_groups; }
+  std::size_t groups() const { return m_groups; } ///< of four numbers in a row
+  Four* row(const std::size_t i) { return m_values.data() + i * m_groups; }
+  const Four* row(const std::size_t i) const { return m_values.data() + i * m_groups; }
+  float& at(const std::size_t i, const std::size_t c)
   {
-    return Row(m_values.data() + i * m_columns, static_cast<Eigen::Index>(m_columns));
+    return row(i)[c / 4][static_cast<int>(c % 4)];
   }
-  Constant_row row(const std::size_t i) const
+  float at(const std::size_t i, const std::size_t c) const
   {
-    return Constant_row(m_values.data() + i * m_columns, static_cast<Eigen::Index>(m_columns));
+    return row(i)[c / 4][static_cast<int>(c % 4)];
   }
 
 private:
-  std::size_t m_rows, m_columns;
-  std::vector<float> m_values;
+  std::size_t m_rows, m_groups;
+  std::vector<Four> m_values;
 };
+
+/// adds `factor` times `added` to a row of `groups` times four numbers.
+inline void add_multiple(Four* row, const std::size_t groups, const float factor, const Four* added)
+{
+  const Four four(factor);
+  for (std::size_t g = 0; g < groups; ++g) row[g] = row[g] + four * added[g];
+}
+
+inline void divide(Four* row, const std::size_t groups, const float divisor)
+{
+  const Four four(divisor);
+  for (std::size_t g = 0; g < groups; ++g) row[g] = row[g] / four;
+}
+
+/// returns the scalar product of two rows of `groups` times four numbers, `groups` at least 1.
+inline float product_of(const Four* a, const Four* b, const std::size_t groups)
+{
+  Four even = a[0] * b[0];
+  if (groups == 1) return sum(even);
+  Four odd = a[1] * b[1]; // two sums, as one would wait for each addition
+  const std::size_t pairs = groups / 2 * 2;
+  for (std::size_t g = 2; g < pairs; g += 2)
+  {
+    even = even + a[g] * b[g];
+    odd = odd + a[g + 1] * b[g + 1];
+  }
+  even = even + odd;
+  return sum(pairs < groups ? even + a[pairs] * b[pairs] : even);
+}
 
 /// returns the coefficients of the Chebyshev polynomials of a step from 0 to 1 at cos(`angle`), damped
 /// (Jackson) so that the filter is monotone.
@@ -109,61 +137,59 @@ inline std::vector<float> step_coefficients(const double angle, const std::size_
 inline Row_matrix filter_rows(const Normalized_graph& graph, const std::vector<float>& coefficients,
                               Row_matrix rows)
 {
-  Row_matrix sum(rows.rows(), rows.columns()), before(rows.rows(), rows.columns());
-  for (std::size_t i = 0; i < rows.rows(); ++i) sum.row(i) = coefficients[0] * rows.row(i);
-  Eigen::ArrayXf next(static_cast<Eigen::Index>(rows.columns()));
+  const std::size_t groups = rows.groups();
+  Row_matrix result(rows.rows(), rows.columns()), before(rows.rows(), rows.columns());
+  for (std::size_t i = 0; i < rows.rows(); ++i)
+    add_multiple(result.row(i), groups, coefficients[0], rows.row(i));
   for (std::size_t j = 1; j < coefficients.size(); ++j)
   {
     const float factor = j == 1 ? 1.f : 2.f;
     for (std::size_t i = 0; i < rows.rows(); ++i)
     {
-      next = -before.row(i);
+      Four* next = before.row(i); // takes the place of what it is computed from
+      for (std::size_t g = 0; g < groups; ++g) next[g] = Four(-1.f) * next[g];
       for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
-        next += (factor * graph.edges[e].weight) * rows.row(graph.edges[e].node);
-      before.row(i) = next;
-      sum.row(i) += coefficients[j] * next;
+        add_multiple(next, groups, factor * graph.edges[e].weight, rows.row(graph.edges[e].node));
+      add_multiple(result.row(i), groups, coefficients[j], next);
     }
     std::swap(before, rows);
   }
-  return sum;
+  return result;
 }
 
 /// makes the columns orthonormal, by a Cholesky factorization of their products: each row becomes its
 /// coordinates in that basis.
 inline void orthonormalize_columns(Row_matrix& rows)
 {
-  const std::size_t n = rows.columns();
+  const std::size_t n = rows.columns(), groups = rows.groups();
   Row_matrix factor(n, n); // products of columns, then their lower triangular factor, by column
   for (std::size_t i = 0; i < rows.rows(); ++i)
     for (std::size_t a = 0; a < n; ++a)
     {
-      const float x = rows.row(i)[static_cast<Eigen::Index>(a)];
-      if (x != 0.f) factor.row(a) += x * rows.row(i);
+      const float x = rows.at(i, a);
+      if (x != 0.f) add_multiple(factor.row(a), groups, x, rows.row(i));
     }
   float trace = 0.f;
-  for (std::size_t a = 0; a < n; ++a) trace += factor.row(a)[static_cast<Eigen::Index>(a)];
+  for (std::size_t a = 0; a < n; ++a) trace += factor.at(a, a);
   const float least = 1e-6f * trace / static_cast<float>(n);
   for (std::size_t a = 0; a < n; ++a)
   {
-    float& pivot = factor.row(a)[static_cast<Eigen::Index>(a)];
+    const float pivot = factor.at(a, a);
     // a column that depends on those before would only bring rounding: it vanishes
-    const float scale = pivot > least ? 1.f / std::sqrt(pivot) : 0.f;
-    factor.row(a) *= scale;
+    const Four scale(pivot > least ? 1.f / std::sqrt(pivot) : 0.f);
+    for (std::size_t g = 0; g < groups; ++g) factor.row(a)[g] = factor.row(a)[g] * scale;
     for (std::size_t b = a + 1; b < n; ++b)
-      factor.row(b) -= factor.row(a)[static_cast<Eigen::Index>(b)] * factor.row(a);
+      add_multiple(factor.row(b), groups, -factor.at(a, b), factor.row(a));
   }
   for (std::size_t i = 0; i < rows.rows(); ++i)
-  {
-    auto row = rows.row(i);
     for (std::size_t a = 0; a < n; ++a)
     {
-      const Eigen::Index at = static_cast<Eigen::Index>(a),
-                         rest = static_cast<Eigen::Index>(n - a - 1);
-      const float pivot = factor.row(a)[at];
-      const float x = row[at] = pivot > 0.f ? row[at] / pivot : 0.f;
-      row.tail(rest) -= x * factor.row(a).tail(rest);
+      const float pivot = factor.at(a, a);
+      const float x = rows.at(i, a) = pivot > 0.f ? rows.at(i, a) / pivot : 0.f;
+      const std::size_t next = a / 4 + 1; // what is left of the own group goes one by one
+      for (std::size_t c = a + 1; c < 4 * next; ++c) rows.at(i, c) -= x * factor.at(a, c);
+      add_multiple(rows.row(i) + next, groups - next, -x, factor.row(a) + next);
     }
-  }
 }
 
 /// returns the nodes' coordinates, of unit length, in a space of `count` dimensions near that of the
@@ -173,8 +199,7 @@ inline Row_matrix spectral_embedding(const Normalized_graph& graph, const std::v
 {
   constexpr std::size_t degree = 36; // the step is then about as wide as a tenth of the spectrum
   Row_matrix rows(graph.size(), count);
-  for (std::size_t i = 0; i < graph.size(); ++i)
-    rows.row(i)[static_cast<Eigen::Index>(cells[i])] = 1.f;
+  for (std::size_t i = 0; i < graph.size(); ++i) rows.at(i, cells[i]) = 1.f;
   // of an even mesh of triangles the k lowest of n eigenvalues are up to about 3.6 k / n; the step is
   // wide, and what passes beyond it must not outweigh them
   const double share = static_cast<double>(count) / static_cast<double>(graph.size());
@@ -183,8 +208,8 @@ inline Row_matrix spectral_embedding(const Normalized_graph& graph, const std::v
   orthonormalize_columns(rows);
   for (std::size_t i = 0; i < graph.size(); ++i)
   {
-    const float l = std::sqrt(rows.row(i).square().sum());
-    if (l > 0.f) rows.row(i) /= l;
+    const float l = std::sqrt(product_of(rows.row(i), rows.row(i), rows.groups()));
+    if (l > 0.f) divide(rows.row(i), rows.groups(), l);
   }
   return rows;
 }
