@@ -7,6 +7,7 @@
 #include <CGAL/Weakly_convex_segmentation/Merge_tree.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Diameter_histogram.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Function_ref.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Region_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
 #include <CGAL/Weakly_convex_segmentation/internal/volumetric_signatures.h>
@@ -320,27 +321,28 @@ struct Contraction_log
   Visitor* visitor = nullptr;
 };
 
+/// A merge that may be next.
+struct Contraction_candidate
+{
+  double cost;
+  int a, b;
+  std::size_t age_a, age_b;
+  bool operator<(const Contraction_candidate& other) const // the queue's top is its largest element
+  {
+    return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
+  }
+};
+
 /// merges adjacent regions by ascending cost while there is one of finite cost and more than
 /// `fewest` regions are left.
 ///
 /// `criterion(a, b)` returns the cost of merging two adjacent regions of the graph, infinity if they
 /// must not be. It may depend on nothing but these regions and their seam.
-template <typename Criterion>
-void contract(Region_graph& graph, const Criterion& criterion, const Contraction_log& log,
-              const std::size_t fewest = 1)
+inline void contract(Region_graph& graph, const Function_ref<double(int, int)> criterion,
+                     const Contraction_log& log, const std::size_t fewest = 1)
 {
-  struct Candidate
-  {
-    double cost;
-    int a, b;
-    std::size_t age_a, age_b;
-    bool operator<(const Candidate& other) const // the queue's top is its largest element
-    {
-      return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
-    }
-  };
   std::vector<std::size_t> age(graph.regions().size(), 0);
-  std::priority_queue<Candidate> queue;
+  std::priority_queue<Contraction_candidate> queue;
   const auto consider = [&](const int a, const int b)
   {
     const int low = (std::min)(a, b), high = (std::max)(a, b);
@@ -353,7 +355,7 @@ void contract(Region_graph& graph, const Criterion& criterion, const Contraction
       if (a < entry.first) consider(a, entry.first);
   while (!queue.empty() && graph.number_of_regions() > fewest)
   {
-    const Candidate best = queue.top();
+    const Contraction_candidate best = queue.top();
     queue.pop();
     if (age[best.a] != best.age_a || age[best.b] != best.age_b) continue;
     graph.merge(best.a, best.b);

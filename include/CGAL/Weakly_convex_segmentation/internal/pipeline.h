@@ -64,9 +64,9 @@ inline void merge_to_one(Region_graph& graph, const Contraction_log& log, const 
 
 /// marks the segments in the merge tree, after more merges if there are too many, and then goes on to
 /// one region. Returns the number of segments.
-template <typename Criterion>
-std::size_t finish_merging(Region_graph& graph, const Criterion& criterion,
-                           const Parameters& parameters, const Contraction_log& log)
+inline std::size_t finish_merging(Region_graph& graph,
+                                  const Function_ref<double(int, int)> criterion,
+                                  const Parameters& parameters, const Contraction_log& log)
 {
   const std::size_t most = parameters.maximum_number_of_segments;
   if (most > 0)

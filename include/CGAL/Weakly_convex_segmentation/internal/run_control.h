@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_RUN_CONTROL_H
 
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Function_ref.h>
 
 #include <chrono>
 #include <cstddef>
@@ -54,8 +55,7 @@ struct Run_control
   }
 
   /// runs one stage between its events; `work` returns the number of things made.
-  template <typename Work>
-  void stage(const Stage stage, const Work& work) const
+  void stage(const Stage stage, const Function_ref<std::size_t()> work) const
   {
     if (visitor != nullptr) visitor->stage_begins(stage);
     const std::size_t size = work();
