@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PARALLEL_FOR_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/Fork_and_join.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Function_ref.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,21 +21,21 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// calls `f(i)` for all `i` in `[0, n)`, on several threads if asked for and TBB is there. Calls must
-/// be independent of each other, so that the outcome is the same for any number of threads.
-template <typename Function>
-void parallel_for(const std::size_t n, const bool parallel, const Function& f,
-                  [[maybe_unused]] const std::size_t grain = 256)
+/// calls `block(begin, end)` for pieces that make up `[0, n)`, on several threads if asked for and TBB is
+/// there. It is compiled once, however many loops there are.
+inline void parallel_blocks(const std::size_t n, const bool parallel,
+                            const Function_ref<void(std::size_t, std::size_t)> block,
+                            [[maybe_unused]] const std::size_t grain)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if (parallel && n > grain)
   {
     Fork_and_join order;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                      [&f, &order](const tbb::blocked_range<std::size_t>& range)
+                      [block, &order](const tbb::blocked_range<std::size_t>& range)
                       {
                         order.piece_begins();
-                        for (std::size_t i = range.begin(); i != range.end(); ++i) f(i);
+                        block(range.begin(), range.end());
                         order.piece_ends();
                       });
     return;
@@ -42,7 +43,22 @@ void parallel_for(const std::size_t n, const bool parallel, const Function& f,
 #else
   static_cast<void>(parallel);
 #endif
-  for (std::size_t i = 0; i < n; ++i) f(i);
+  block(0, n);
+}
+
+/// calls `f(i)` for all `i` in `[0, n)`, on several threads if asked for and TBB is there. Calls must
+/// be independent of each other, so that the outcome is the same for any number of threads.
+template <typename Function>
+void parallel_for(const std::size_t n, const bool parallel, const Function& f,
+                  const std::size_t grain = 256)
+{
+  parallel_blocks(
+      n, parallel,
+      [&f](const std::size_t begin, const std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i) f(i);
+      },
+      grain);
 }
 
 /// returns `f(begin, end)` for each block of `[0, n)`. The blocks are the same for any number of
