@@ -265,7 +265,7 @@ inline void Pair_features::add_seam_shape(const Region& first, const Region& sec
   for (const Axes* axes : {&axes_a, &axes_b})
     add_feature(f, length(ring.center - axes->center) / axes->lengths[2]);
   for (const Axes* axes : {&axes_a, &axes_b})
-    add_feature(f, std::abs(dot(normalized(ring.center - axes->center), axes->direction)));
+    add_feature(f, std::abs(dot(unit_vector(ring.center - axes->center), axes->direction)));
   add_feature(f, std::abs(dot(axes_a.direction, axes_b.direction)));
 }
 

@@ -42,7 +42,7 @@ inline Double3 cross(const Double3& a, const Double3& b)
 }
 inline double length(const Double3& a) { return std::sqrt(dot(a, a)); }
 /// returns a unit vector, or `a` if it has no direction.
-inline Double3 normalized(const Double3& a)
+inline Double3 unit_vector(const Double3& a)
 {
   const double squared = dot(a, a);
   return squared > 0. ? a / std::sqrt(squared) : a;
@@ -125,7 +125,7 @@ inline Double3 longest_direction(const Second_moments& m, const Double3& values)
   if (above > 2. * epsilon * below) return kernel_of(m.shifted(values.z)).first;
   // the two largest are the same but for rounding: any direction across the shortest one
   const auto [shortest, column] = kernel_of(m.shifted(values.x));
-  return normalized(column - dot(shortest, column) * column);
+  return unit_vector(column - dot(shortest, column) * column);
 }
 
 /// Eigenvalues, ascending, and the eigenvector of the largest.
