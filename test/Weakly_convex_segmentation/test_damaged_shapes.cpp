@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(estimated_normals_of_all_pieces_point_outwards)
   for (int i = 0; i < 5; ++i) add_sphere(balls, {4. * i, 0.1 * i, 0.2 * i}, 1., n);
   Raw_points bare = balls;
   bare.normals.clear();
-  WCS::internal::estimate_normals<CGAL::Sequential_tag>(bare, {});
+  WCS::internal::estimate_normals(bare, {});
   for (std::size_t i = 0; i < balls.positions.size(); ++i)
   {
     double product = 0.;

@@ -4,88 +4,81 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ESTIMATE_NORMALS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ESTIMATE_NORMALS_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/normal_propagation.h>
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
+#include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
 
-#include <CGAL/Iterator_range.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/mst_orient_normals.h>
-#include <CGAL/pca_estimate_normals.h>
-#include <CGAL/property_map.h>
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
-#include <tuple>
+#include <utility>
 #include <vector>
 
-// Normals for points that have none, by CGAL's point set processing: estimated from the neighbors,
-// then oriented consistently along a minimum spanning tree.
+// Normals for points that have none: across the plane that fits the neighbors best, then made consistent.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-using Normal_kernel = CGAL::Simple_cartesian<double>;
-using Point_to_orient = std::tuple<Normal_kernel::Point_3, Normal_kernel::Vector_3, std::size_t>;
-
-/// The positions. Whoever looks one up lets the callback of the run speak: CGAL's functions take most of
-/// the time of a run, and an exception is the only way out of them.
-struct Asking_point_map
+/// fits a plane to a point and its neighbors: sets the normal to a unit vector across it, of either sign,
+/// or to zero if they are all in one place, and the roughness.
+inline void fit_plane(Unoriented_points& shape, const Index i)
 {
-  using key_type = Point_to_orient;
-  using value_type = Normal_kernel::Point_3;
-  using reference = const value_type&;
-  using category = boost::readable_property_map_tag;
-  const Run_control* control;
-  friend reference get(const Asking_point_map& map, const key_type& key)
+  const std::vector<Vector3>& positions = shape.points.positions;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  double n = 1.;
+  for (std::size_t e = i * shape.k; e < (i + 1) * shape.k; ++e)
   {
-    map.control->check_sometimes();
-    return std::get<0>(key);
+    if (shape.nearest[e] == i) continue; // there are no more neighbors
+    const Vector3 p = positions[shape.nearest[e]] - positions[i];
+    n += 1.;
+    const Eigen::Vector3d d(p.x, p.y, p.z);
+    sum += d;
+    squares += d * d.transpose();
   }
-};
-
-/// orients the normals along a minimum spanning tree, then again those of the pieces that the tree has
-/// not reached: each begins at its highest point.
-template <typename Points, typename NamedParameters>
-void orient_normals(Points& points, const unsigned int neighbors, const NamedParameters& np)
-{
-  constexpr std::size_t smallest_piece = 4; // fewer have no plane
-  constexpr int most_pieces = 64;           // each costs a search tree over the rest
-  auto first = points.begin();
-  for (int piece = 0; piece < most_pieces; ++piece)
-  {
-    if (static_cast<std::size_t>(points.end() - first) < smallest_piece) return;
-    auto rest = CGAL::make_range(first, points.end());
-    const auto unoriented = CGAL::mst_orient_normals(rest, neighbors, np); // moved to the end
-    if (unoriented == first) return;
-    first = unoriented;
-  }
+  const Eigen::Matrix3d covariance = (squares - sum * sum.transpose() / n) / n;
+  const double size = covariance.trace();
+  shape.points.normals[i] = {};
+  if (!(size > 0.)) return;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance / size);
+  const Eigen::Vector3f normal = solver.eigenvectors().col(0).cast<float>();
+  shape.points.normals[i] = normalized({normal.x(), normal.y(), normal.z()});
+  shape.roughness[i] = static_cast<float>((std::max)(0., solver.eigenvalues()[0] * size));
 }
 
-/// fills `raw.normals`. Points that the orientation does not reach keep their unoriented normal.
-template <typename ConcurrencyTag>
-void estimate_normals(Raw_points& raw, const Run_control& control)
+/// fills `raw.normals`, the same for any order of the points. The normal is zero where points are in one
+/// place and have no other neighbors.
+inline void estimate_normals(Raw_points& raw, const Run_control& control)
 {
-  constexpr unsigned int neighbors = 12;
-  std::vector<Point_to_orient> points;
-  points.reserve(raw.positions.size());
-  for (std::size_t i = 0; i < raw.positions.size(); ++i)
+  constexpr std::size_t neighbors = 12, fewest = 4; // three have a plane, but no inside
+  const bool parallel = control.parallel;
+  raw.normals.assign(raw.positions.size(), {0., 0., 1.});
+  if (raw.positions.size() < fewest) return;
+  Oriented_points points = orient_points(raw, parallel, control);
+  const std::size_t n = points.size();
+  std::vector<float> spacing;
+  std::vector<Index> nearest = nearest_neighbors(points, neighbors, spacing, parallel, control);
+  control.check();
+  Unoriented_points shape{points, std::vector<float>(n, 0.f), std::move(nearest), neighbors};
+  parallel_for(n, parallel,
+               [&](const std::size_t i)
+               {
+                 control.check_sometimes();
+                 fit_plane(shape, static_cast<Index>(i));
+               });
+  control.check();
+  orient_outwards(points, propagate_orientation(shape, parallel, control), control);
+  for (std::size_t i = 0; i < n; ++i)
   {
-    const auto& p = raw.positions[i];
-    points.emplace_back(Normal_kernel::Point_3(p[0], p[1], p[2]),
-                        Normal_kernel::Vector_3(0., 0., 1.), i);
+    const Vector3& v = points.normals[i];
+    raw.normals[points.elements[i]] = {v.x, v.y, v.z};
   }
-  if (points.size() > 3)
-  {
-    const auto np = CGAL::parameters::point_map(Asking_point_map{&control})
-                        .normal_map(CGAL::Nth_of_tuple_property_map<1, Point_to_orient>());
-    CGAL::pca_estimate_normals<ConcurrencyTag>(points, neighbors, np);
-    control.check();
-    orient_normals(points, neighbors, np);
-  }
-  raw.normals.assign(points.size(), {0., 0., 1.});
-  for (const auto& [point, normal, index] : points)
-    raw.normals[index] = {normal.x(), normal.y(), normal.z()};
 }
 
 } // namespace internal

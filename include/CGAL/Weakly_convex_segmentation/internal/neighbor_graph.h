@@ -8,6 +8,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
+#include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
 
 #include <algorithm>
 #include <array>
@@ -63,7 +64,8 @@ inline float signed_concavity(const Oriented_points& points, const Index i, cons
 
 /// fills the `k` nearest other points of each point; rows of fewer points end with the point itself.
 inline std::vector<Index> nearest_neighbors(const Oriented_points& points, const std::size_t k,
-                                            std::vector<float>& spacing, const bool parallel)
+                                            std::vector<float>& spacing, const bool parallel,
+                                            const Run_control& control = {})
 {
   const std::size_t n = points.size();
   const Nearest_points tree(points.positions);
@@ -72,6 +74,7 @@ inline std::vector<Index> nearest_neighbors(const Oriented_points& points, const
   parallel_for(n, parallel,
                [&](const std::size_t i)
                {
+                 control.check_sometimes();
                  Index* row = &nearest[i * k];
                  std::size_t count = 0;
                  float sum = 0.f;

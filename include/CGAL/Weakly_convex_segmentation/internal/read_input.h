@@ -143,7 +143,7 @@ inline void scale_points(Raw_points& raw, const bool parallel)
 }
 
 /// reads a range of points. Without a normal map the normals are estimated.
-template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
+template <typename PointRange, typename NamedParameters>
 Raw_points read_points(const PointRange& range, const NamedParameters& np,
                        const Run_control& control)
 {
@@ -164,13 +164,13 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np,
   else
   {
     check_finite(raw.positions, "position");
-    estimate_normals<ConcurrencyTag>(raw, control);
+    estimate_normals(raw, control);
   }
   return raw;
 }
 
 /// reads a `CGAL::Point_set_3`, with its normals if it has them.
-template <typename ConcurrencyTag, typename PointSet, typename NamedParameters>
+template <typename PointSet, typename NamedParameters>
 Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
                           const Run_control& control)
 {
@@ -189,7 +189,7 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
   else
   {
     check_finite(raw.positions, "position");
-    estimate_normals<ConcurrencyTag>(raw, control);
+    estimate_normals(raw, control);
   }
   return raw;
 }
@@ -348,9 +348,9 @@ Raw_points read_input(const Input& input, const NamedParameters& np)
   const Run_control control = read_control<ConcurrencyTag>(np);
   control.progress(0.);
   if constexpr (Is_point_set<Input>::value)
-    return read_point_set<ConcurrencyTag>(input, np, control);
+    return read_point_set(input, np, control);
   else if constexpr (Is_range<Input>::value)
-    return read_points<ConcurrencyTag>(input, np, control);
+    return read_points(input, np, control);
   else
     return read_mesh(input,
                      CGAL::parameters::choose_parameter(

@@ -1,0 +1,232 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE Estimated normals
+#include <boost/test/included/unit_test.hpp>
+
+#include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
+
+#include "shapes_for_tests.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+// Normals of clouds that have none: their lines, and which of both ways they point.
+
+namespace {
+
+using namespace CGAL::Weakly_convex_segmentation;
+using namespace CGAL::Weakly_convex_segmentation::internal;
+using namespace Shapes_for_tests;
+
+Raw_points cloud(const std::string& name, const std::size_t size)
+{
+  const auto made = Shape_generator::make_cloud(name, size, 1);
+  Raw_points raw;
+  for (std::size_t i = 0; i < size; ++i)
+    add_point(raw, {made.points[i][0], made.points[i][1], made.points[i][2]},
+              {made.normals[i][0], made.normals[i][1], made.normals[i][2]});
+  return raw;
+}
+
+std::vector<Coordinates> estimated(const Raw_points& raw, const Run_control& control = {})
+{
+  Raw_points bare;
+  bare.positions = raw.positions;
+  estimate_normals(bare, control);
+  BOOST_REQUIRE(bare.normals.size() == raw.positions.size());
+  return bare.normals;
+}
+
+double product(const Coordinates& a, const Coordinates& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// the share of the normals that point to the side that they should
+double share_of_right(const Raw_points& raw)
+{
+  const std::vector<Coordinates> normals = estimated(raw);
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (product(normals[i], raw.normals[i]) > 0.) ++right;
+  return static_cast<double>(right) / static_cast<double>(normals.size());
+}
+
+/// `size`: of the largest change of a coordinate
+Raw_points with_noise(Raw_points raw, const double size)
+{
+  std::mt19937 random(2);
+  for (auto& p : raw.positions)
+    for (double& c : p) c += size * (2. * uniform(random) - 1.);
+  return raw;
+}
+
+double extent(const Raw_points& raw)
+{
+  const Bounding_cube cube = bounding_cube(raw.positions);
+  return cube.side;
+}
+
+/// without what lies in balls about some points
+Raw_points with_holes(const Raw_points& raw)
+{
+  const double radius = 0.1 * extent(raw);
+  Raw_points result;
+  for (std::size_t i = 0; i < raw.positions.size(); ++i)
+  {
+    bool is_in_hole = false;
+    for (std::size_t j = 7; j < raw.positions.size(); j += raw.positions.size() / 8)
+    {
+      const Coordinates d = plus(raw.positions[i], raw.positions[j], -1.);
+      is_in_hole = is_in_hole || product(d, d) < radius * radius;
+    }
+    if (!is_in_hole) add_point(result, raw.positions[i], raw.normals[i]);
+  }
+  return result;
+}
+
+Raw_points permuted(const Raw_points& raw, const std::vector<std::size_t>& order)
+{
+  Raw_points result;
+  for (const std::size_t i : order) add_point(result, raw.positions[i], raw.normals[i]);
+  return result;
+}
+
+} // namespace
+
+// CGAL's propagation has a third to two thirds of them right on those with walls and thin parts.
+BOOST_AUTO_TEST_CASE(normals_of_made_shapes_point_outwards)
+{
+  for (const char* name : {"figure", "cup", "table", "chair", "thin_plate", "airplane", "hand",
+                           "box", "torus", "pliers"})
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Raw_points raw = cloud(name, 4000);
+      BOOST_CHECK_GT(share_of_right(raw), 0.99);
+      BOOST_CHECK_GT(share_of_right(with_holes(raw)), 0.95);
+      BOOST_CHECK_GT(share_of_right(with_noise(raw, 0.003 * extent(raw))), 0.97);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(each_piece_has_its_own_outside)
+{
+  Raw_points raw = cloud("chair", 4000);
+  const double step = 2. * extent(raw);
+  const Raw_points other = cloud("torus", 3000);
+  for (std::size_t i = 0; i < other.positions.size(); ++i)
+    add_point(raw, plus(other.positions[i], {1., 0.3, -0.2}, step), other.normals[i]);
+  BOOST_CHECK_GT(share_of_right(raw), 0.99);
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_inside_looks_upwards)
+{
+  Raw_points sheet;
+  add_rectangle(sheet, {0., 0., 0.}, {1., 0., 0.2}, {0., 1., 0.1}, 20, 20, {-0.2, -0.1, 1.});
+  BOOST_CHECK_EQUAL(share_of_right(sheet), 1.);
+}
+
+BOOST_AUTO_TEST_CASE(a_view_of_one_side_points_to_it)
+{
+  const Coordinates to_camera = {0.48, -0.6, 0.64};
+  for (const char* name : {"figure", "dumbbell", "hand", "pliers", "glasses"})
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Raw_points raw = cloud(name, 4000);
+      Raw_points seen;
+      for (std::size_t i = 0; i < raw.positions.size(); ++i)
+        if (product(raw.normals[i], to_camera) > 0.1)
+          add_point(seen, raw.positions[i], raw.normals[i]);
+      BOOST_CHECK_GT(share_of_right(seen), 0.99);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_order_and_threads_change_nothing)
+{
+  const Raw_points raw = cloud("figure", 5000);
+  const std::vector<Coordinates> usual = estimated(raw);
+  std::vector<std::size_t> order(raw.positions.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::mt19937 random(5);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+  const std::vector<Coordinates> other = estimated(permuted(raw, order));
+  for (std::size_t i = 0; i < order.size(); ++i) BOOST_REQUIRE(other[i] == usual[order[i]]);
+  Run_control parallel;
+  parallel.parallel = true;
+  BOOST_CHECK(estimated(raw, parallel) == usual);
+}
+
+// It is the quality of the fit that is tested: within 5 degrees on a sphere.
+BOOST_AUTO_TEST_CASE(planes_fit)
+{
+  Raw_points raw;
+  add_sphere(raw, {3., 2., 1.}, 2., 3000);
+  const std::vector<Coordinates> normals = estimated(raw);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    BOOST_REQUIRE_GT(product(normals[i], raw.normals[i]), std::cos(5. * 3.14159 / 180.));
+}
+
+BOOST_AUTO_TEST_CASE(few_and_degenerate_points)
+{
+  for (std::size_t n = 0; n < 20; ++n)
+  {
+    Raw_points line, place;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      add_point(line, {static_cast<double>(i * i), 0., 0.}, {});
+      add_point(place, {1., 2., 3.}, {});
+    }
+    for (const Coordinates& normal : estimated(line))
+    {
+      BOOST_CHECK_SMALL(normal[0], 1e-4); // across the line
+      BOOST_CHECK_CLOSE(product(normal, normal), 1., 1e-3);
+    }
+    if (n >= 4)
+      for (const Coordinates& normal : estimated(place)) BOOST_CHECK_EQUAL(normal[2], 0.);
+  }
+}
+
+// More points in one place than neighbors are looked at: they are a piece of their own, without normals.
+BOOST_AUTO_TEST_CASE(heaps_of_equal_points_harm_nobody)
+{
+  Raw_points raw = cloud("dumbbell", 2000);
+  for (int i = 0; i < 100; ++i) add_point(raw, raw.positions[0], raw.normals[0]);
+  const std::vector<Coordinates> normals = estimated(raw);
+  std::size_t right = 0;
+  for (std::size_t i = 1; i < 2000; ++i)
+    if (product(normals[i], raw.normals[i]) > 0.) ++right;
+  BOOST_CHECK_GT(right, 1980u);
+  for (const Coordinates& n : normals) BOOST_REQUIRE(std::isfinite(n[0] + n[1] + n[2]));
+}
+
+// As if a tenth of a second had passed at each question: all steps ask, and each can be the last.
+BOOST_AUTO_TEST_CASE(every_step_can_be_interrupted)
+{
+  const Raw_points raw = cloud("box", 6000);
+  std::size_t questions = 0, last = 0;
+  Run_control control;
+  control.callback = [&](double)
+  {
+    control.asked_time = Run_control::Clock::time_point();
+    return ++questions != last;
+  };
+  const auto run = [&]
+  {
+    questions = 0;
+    control.asking_thread = std::this_thread::get_id();
+    control.asked_time = Run_control::Clock::time_point();
+    estimated(raw, control);
+  };
+  run();
+  const std::size_t all = questions;
+  BOOST_CHECK_GE(all, 5u * 6000u / 1024u);
+  for (last = 1; last <= all; ++last) BOOST_REQUIRE_THROW(run(), Canceled);
+}
