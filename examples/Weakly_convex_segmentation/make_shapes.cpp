@@ -4,13 +4,13 @@
 // Writes shapes with known parts: meshes as OFF or point clouds as PLY, and the true part of each
 // face or point, one per line, as .seg.
 
+#include "include/program_errors.h"
 #include "include/shape_generator.h"
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -64,7 +64,11 @@ Options parse(int argc, char* argv[])
     throw std::invalid_argument("--faces has to be from 1000 to 2000000");
   if (options.points < 1 || options.points > 10000000)
     throw std::invalid_argument("--points has to be from 1 to 10000000");
-  if (options.names.empty()) options.names = Shape_generator::shape_names();
+  const std::vector<std::string> names = Shape_generator::shape_names();
+  if (options.names.empty()) options.names = names;
+  for (const std::string& name : options.names) // before anything is made
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw std::invalid_argument("there is no shape '" + name + "'; see make_shapes --help");
   return options;
 }
 
@@ -163,15 +167,10 @@ void make_shapes(const Options& options)
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    const Options options = parse(argc, argv);
-    if (!options.help) make_shapes(options);
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& e)
-  {
-    std::cerr << "make_shapes: " << e.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  return Program_errors::run("make_shapes",
+                             [&]
+                             {
+                               const Options options = parse(argc, argv);
+                               if (!options.help) make_shapes(options);
+                             });
 }

@@ -4,6 +4,7 @@
 // Scans a mesh, or a shape made in code, with a virtual depth camera and writes the cloud as PLY.
 
 #include "include/atomic_file.h"
+#include "include/program_errors.h"
 #include "include/read_shape.h"
 #include "include/shape_generator.h"
 #include "include/virtual_scanner.h"
@@ -11,8 +12,6 @@
 #include <boost/program_options.hpp>
 
 #include <cstddef>
-#include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -106,22 +105,20 @@ void write_scan(const Virtual_scanner::Scan& scan, const std::vector<int>& label
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    Options options;
-    if (!read_options(argc, argv, options)) return EXIT_SUCCESS;
-    const Shape_generator::Labeled_mesh mesh = options.input.empty()
-                                                   ? Shape_generator::make_mesh(options.shape)
-                                                   : read_mesh(options.input);
-    const Virtual_scanner::Scan scan = Virtual_scanner::scan_mesh(
-        mesh, static_cast<std::size_t>(options.views), options.camera, options.seed);
-    write_scan(scan, mesh.labels, options.output);
-    std::cout << scan.points.size() << " points from " << options.views << " viewpoints\n";
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "scan_shape: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  return Program_errors::run(
+      "scan_shape",
+      [&]
+      {
+        Options options;
+        if (!read_options(argc, argv, options)) return;
+        Shape_io::check_output_places({options.output}, {options.input});
+        Shape_io::Atomic_file::check(options.output);
+        const Shape_generator::Labeled_mesh mesh = options.input.empty()
+                                                       ? Shape_generator::make_mesh(options.shape)
+                                                       : read_mesh(options.input);
+        const Virtual_scanner::Scan scan = Virtual_scanner::scan_mesh(
+            mesh, static_cast<std::size_t>(options.views), options.camera, options.seed);
+        write_scan(scan, mesh.labels, options.output);
+        std::cout << scan.points.size() << " points from " << options.views << " viewpoints\n";
+      });
 }

@@ -6,6 +6,7 @@
 #include "include/atomic_file.h"
 #include "include/gaps.h"
 #include "include/part_colors.h"
+#include "include/program_errors.h"
 #include "include/read_shape.h"
 #include "include/scene_objects.h"
 #include "include/write_parts.h"
@@ -15,9 +16,8 @@
 
 #include <chrono>
 #include <cstddef>
-#include <cstdlib>
-#include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,7 +88,7 @@ Shape_io::Shape read_scene(const std::string& path, const Scene_objects::Point& 
 
 // The parts are 1, 2, ...; 0 is the plane and the background, -1 a pixel without a measurement.
 void write_scene(const Shape_io::Shape& whole, const Shape_io::Measured_shape& measured,
-                 const Scene_objects::Scene& scene, const std::string& path)
+                 const Scene_objects::Scene& scene, std::ostream& out)
 {
   Shape_io::Parts parts;
   for (const std::size_t cell : scene.cell_of)
@@ -99,13 +99,11 @@ void write_scene(const Shape_io::Shape& whole, const Shape_io::Measured_shape& m
   parts.colors = Shape_io::part_colors(Shape_io::part_neighbors(
       measured.shape(), parts.labels, static_cast<std::size_t>(scene.number_of_parts) + 1));
   parts.colors[0] = {190, 190, 190};
-  Shape_io::Atomic_file file(path);
-  Shape_io::write_parts(file.stream(), whole, measured.spread(parts));
-  file.commit();
+  Shape_io::write_parts(out, whole, measured.spread(parts));
 }
 
 void write_stats(const Scene_objects::Scene& scene, const std::size_t number_of_gaps,
-                 const double seconds, const std::string& path)
+                 const double seconds, std::ostream& out)
 {
   nlohmann::ordered_json objects = nlohmann::ordered_json::array();
   std::vector<std::size_t> sizes(scene.parts_of.size(), 0);
@@ -121,36 +119,47 @@ void write_stats(const Scene_objects::Scene& scene, const std::size_t number_of_
                                         {"objects", objects},
                                         {"parts", scene.number_of_parts},
                                         {"seconds", seconds}};
-  Shape_io::Atomic_file file(path);
-  file.stream() << stats.dump(2) << '\n';
-  file.commit();
+  out << stats.dump(2) << '\n';
+}
+
+void segment_scene(const Files& files, const Scene_objects::Options& options)
+{
+  std::vector<std::string> outputs;
+  for (const std::string& path : {files.parts, files.stats})
+    if (!path.empty()) outputs.push_back(path);
+  Shape_io::check_output_places(outputs, {files.input});
+  for (const std::string& path : outputs) Shape_io::Atomic_file::check(path);
+  const auto begin = std::chrono::steady_clock::now();
+  const Shape_io::Shape shape = read_scene(files.input, options.viewpoint);
+  const Shape_io::Measured_shape measured(shape);
+  const Scene_objects::Scene scene = Scene_objects::segment_scene(measured.shape().points, options);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::optional<Shape_io::Atomic_file> parts, stats;
+  if (!files.parts.empty())
+    write_scene(shape, measured, scene, parts.emplace(files.parts).stream());
+  if (!files.stats.empty())
+    write_stats(scene, measured.number_of_gaps(), seconds, stats.emplace(files.stats).stream());
+  if (parts) parts->finish();
+  if (stats) stats->finish();
+  std::cout << scene.parts_of.size() << " objects of " << scene.number_of_parts << " parts in "
+            << seconds << " seconds\n";
+  // all or none: nothing takes its place before all is written
+  Program_errors::flush_standard_output();
+  if (parts) parts->commit();
+  if (stats) stats->commit();
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    Files files;
-    Scene_objects::Options options;
-    if (!read_options(argc, argv, files, options)) return EXIT_SUCCESS;
-    const auto begin = std::chrono::steady_clock::now();
-    const Shape_io::Shape shape = read_scene(files.input, options.viewpoint);
-    const Shape_io::Measured_shape measured(shape);
-    const Scene_objects::Scene scene =
-        Scene_objects::segment_scene(measured.shape().points, options);
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (!files.parts.empty()) write_scene(shape, measured, scene, files.parts);
-    if (!files.stats.empty()) write_stats(scene, measured.number_of_gaps(), seconds, files.stats);
-    std::cout << scene.parts_of.size() << " objects of " << scene.number_of_parts << " parts in "
-              << seconds << " seconds\n";
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "segment_scene: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  return Program_errors::run("segment_scene",
+                             [&]
+                             {
+                               Files files;
+                               Scene_objects::Options options;
+                               if (read_options(argc, argv, files, options))
+                                 segment_scene(files, options);
+                             });
 }

@@ -5,6 +5,7 @@
 
 #include "gaps.h"
 #include "nearest_elements.h"
+#include "program_errors.h"
 #include "segment_options.h"
 #include "segment_outputs.h"
 #include "segment_progress.h"
@@ -21,12 +22,10 @@
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
-#include <new>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -147,13 +146,9 @@ void write_view(Segment_shape::Outputs& outputs,
                      run);
 }
 
-void print_results(const Options& options, const Shape& shape, const Run& run)
+void print_files(std::ostream& out, const Options& options)
 {
-  const std::vector<std::string> files = Segment_shape::output_files(options);
-  const bool is_standard_output_taken = std::count(files.begin(), files.end(), "-") > 0;
-  std::ostream& out = is_standard_output_taken ? std::cerr : std::cout;
-  Segment_shape::print_summary(out, shape, run);
-  for (const std::string& file : files)
+  for (const std::string& file : Segment_shape::output_files(options))
     if (file != "-") out << "wrote " << file << '\n';
   if (!options.split_folder.empty()) out << "wrote parts to " << options.split_folder << '\n';
 }
@@ -164,10 +159,19 @@ std::string name_of_input(const Options& options)
   return options.input == "-" ? "standard input" : options.input;
 }
 
+void check_outputs(const Options& options)
+{
+  std::vector<std::string> files = Segment_shape::output_files(options);
+  Shape_io::check_output_places(files, {options.input, options.dense_file});
+  for (const std::string& file : files) Shape_io::Atomic_file::check(file);
+  files.insert(files.end(), {options.input, options.dense_file});
+  if (!options.split_folder.empty())
+    Segment_shape::Split_folder::check_no_part(options.split_folder, files);
+}
+
 void segment_shape(const Options& options)
 {
-  for (const std::string& file : Segment_shape::output_files(options))
-    Shape_io::Atomic_file::check(file);
+  check_outputs(options);
   std::optional<Segment_shape::View_page> page;
   if (!options.view_file.empty()) page.emplace(path_of_page());
   Run run;
@@ -197,8 +201,15 @@ void segment_shape(const Options& options)
   outputs.write(written, parts_of(options.level));
   if (page) write_view(outputs, page, written, parts_of, run);
   outputs.write_stats(shape, run);
+  outputs.finish();
+  const std::vector<std::string> files = Segment_shape::output_files(options);
+  const bool is_standard_output_taken = std::count(files.begin(), files.end(), "-") > 0;
+  std::ostream& out = is_standard_output_taken ? std::cerr : std::cout;
+  if (!options.quiet) Segment_shape::print_summary(out, shape, run);
+  // before the files take their places: if this fails there are to be none
+  Program_errors::flush_standard_output();
   outputs.commit();
-  if (!options.quiet) print_results(options, shape, run);
+  if (!options.quiet) print_files(out, options);
 }
 
 void run_program(const int argc, const char* const argv[])
@@ -211,42 +222,25 @@ void run_program(const int argc, const char* const argv[])
               << CGAL_STRINGIZE(CGAL_VERSION) << '\n';
   else
     segment_shape(options);
-  if (!std::cout.flush())
-    throw std::runtime_error("standard output can't be written; check where it goes");
-}
-
-// Names of files and messages of libraries may hold line ends, but an error is one line.
-std::string one_line(std::string message)
-{
-  for (char& c : message)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return message;
 }
 
 } // namespace
 
 int main(const int argc, char* argv[])
 {
-  // A reader that goes away shows as an error of writing: what was begun is removed.
-  std::signal(SIGPIPE, SIG_IGN);
-  // CGAL prints errors before it throws them; they are printed below.
+  // CGAL prints errors before it throws them; they are printed once, as one line.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
-  try
-  {
-    run_program(argc, argv);
-    return EXIT_SUCCESS;
-  }
-  catch (const WCS::Canceled&)
-  {
-    std::cerr << "segment_shape: interrupted, nothing was written; start it again\n";
-  }
-  catch (const std::bad_alloc&)
-  {
-    std::cerr << "segment_shape: there is not enough memory; take a smaller shape\n";
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "segment_shape: " << one_line(error.what()) << '\n';
-  }
-  return EXIT_FAILURE;
+  return Program_errors::run("segment_shape",
+                             [&]
+                             {
+                               try
+                               {
+                                 run_program(argc, argv);
+                               }
+                               catch (const WCS::Canceled&)
+                               {
+                                 throw std::runtime_error(
+                                     "interrupted, nothing was written; start it again");
+                               }
+                             });
 }

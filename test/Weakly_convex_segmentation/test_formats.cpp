@@ -188,3 +188,101 @@ BOOST_AUTO_TEST_CASE(formats_are_known_by_their_first_bytes)
                                                              {"x y z\n1 2 3\n", read_xyz}};
   for (const auto& [bytes, reader] : files) BOOST_TEST((reader_for_bytes(bytes) == reader), bytes);
 }
+
+// A number that is misread loses points without a word.
+BOOST_AUTO_TEST_CASE(counts_and_indices_are_whole_numbers)
+{
+  const auto cloud = [](const std::string& count)
+  {
+    return "ply\nformat ascii 1.0\nelement vertex " + count +
+           "\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n";
+  };
+  BOOST_TEST(read("a.ply", cloud("2")).points.size() == 2u);
+  for (const char* count : {"2e0", "0x2", "2.0", "2 2", "-2", "1e3", "two", ""})
+    BOOST_TEST(failure("a.ply", cloud(count)).find("number of elements") != std::string::npos);
+
+  const auto mesh = [](const std::string& face)
+  {
+    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+           "property float z\nelement face 1\nproperty list float float vertex_indices\n"
+           "end_header\n0 0 0\n1 0 0\n0 1 0\n" +
+           face + "\n";
+  };
+  BOOST_TEST(read("a.ply", mesh("3 0 1 2")).polygons.size() == 1u);
+  BOOST_TEST(failure("a.ply", mesh("3.5 0 1 2")).find("list") != std::string::npos);
+  BOOST_TEST(failure("a.ply", mesh("3 0 1.5 2")).find("face 0") != std::string::npos);
+  BOOST_TEST(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1.5 2\n").find("face 0") !=
+             std::string::npos);
+}
+
+// More than the header tells, or lines with more columns: then elements are lost or misread.
+BOOST_AUTO_TEST_CASE(nothing_in_a_text_is_left_over)
+{
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                             "property float y\nproperty float z\nend_header\n";
+  BOOST_TEST(read("a.ply", header + "0 0 0\n1 0 0\n\n \t\r\n").points.size() == 2u);
+  failure("a.ply", header + "0 0 0\n1 0 0\n0 1 0\n");
+  failure("a.ply", header + "0 0 0 255\n1 0 0 255\n");
+  const std::string pcd = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 2\nDATA ascii\n";
+  BOOST_TEST(read("a.pcd", pcd + "0 0 0\n1 0 0\n").points.size() == 2u);
+  failure("a.pcd", pcd + "0 0 0\n1 0 0\n0 1 0\n");
+  BOOST_TEST(read("a.off", "OFF\n2 0 0\n0 0 0\n1 0 0\n# end\n").points.size() == 2u);
+  failure("a.off", "OFF\n2 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+}
+
+BOOST_AUTO_TEST_CASE(tables_are_not_millions_of_columns_wide)
+{
+  std::string line;
+  for (int i = 0; i < 10000; ++i) line += "1 ";
+  BOOST_TEST(read("a.xyz", line + "\n" + line).points.size() == 2u);
+  BOOST_TEST(failure("a.xyz", line + "1\n").find("10000") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(stl_texts_of_every_kind)
+{
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                            "vertex 0 1 0\nendloop\nendfacet\n";
+  const std::string two = "solid a b\n" + facet + facet + "endsolid a b\n";
+  std::string capitals = two, mac = two, one_line = facet;
+  for (char& c : capitals) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  for (char& c : mac) c = c == '\n' ? '\r' : c;
+  for (char& c : one_line) c = c == '\n' ? ' ' : c;
+  for (const std::string& text :
+       {two, capitals, mac, two + two, "solid\n" + one_line + "\nendsolid\n",
+        "solid\nfacet normal nan x -nan(ind)" + facet.substr(18) + "endsolid"})
+  {
+    const Shape shape = read("a.stl", text);
+    BOOST_TEST(shape.points.size() == 3u);
+    BOOST_TEST((shape.polygons[0] == std::vector<std::size_t>{0, 1, 2}));
+  }
+  for (std::size_t size = 0; size + 5 < two.size(); ++size) // cut anywhere
+    failure("a.stl", two.substr(0, size));
+  const auto replaced = [&](const std::string& what, const std::string& by)
+  { return std::string(two).replace(two.find(what), what.size(), by); };
+  failure("a.stl", replaced("vertex 1 0 0\n", ""));
+  failure("a.stl", replaced("endloop", "vertex 1 1 0\nendloop"));
+  failure("a.stl", replaced("1 0 0", "x 0 0"));
+  BOOST_TEST(failure("a.stl", replaced("1 0 0", "nan 0 0")).find("point 1") != std::string::npos);
+  failure("a.stl", "solid a\nendsolid a\n");
+}
+
+BOOST_AUTO_TEST_CASE(binary_stl_holds_what_it_tells)
+{
+  const auto file = [](const std::size_t told, const std::size_t held)
+  {
+    std::string bytes(80, 's');
+    Pcd_files::append(bytes, static_cast<unsigned int>(told));
+    for (std::size_t i = 0; i < held; ++i)
+    {
+      for (int k = 0; k < 12; ++k) Pcd_files::append(bytes, static_cast<float>(k * (k + 1)));
+      bytes += std::string(2, '\0');
+    }
+    return bytes;
+  };
+  BOOST_TEST(read("a.stl", file(5, 5)).polygons.size() == 5u);
+  BOOST_TEST(read("a.stl", file(5, 5) + "padding").polygons.size() == 5u);
+  BOOST_TEST(read("a.stl", "solid" + file(5, 5).substr(5)).polygons.size() == 5u);
+  for (const std::size_t told : {0u, 4u, 6u, 4294967295u}) failure("a.stl", file(told, 5));
+  failure("a.stl", file(0, 0));
+  failure("a.stl", std::string(83, 'x'));
+}

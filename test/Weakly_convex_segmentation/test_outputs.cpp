@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -225,4 +226,85 @@ BOOST_AUTO_TEST_CASE(small_segments_are_given_away_and_the_cap_holds)
   BOOST_TEST(number_of_parts({"--min-segment-size", "0.3"}) < all);
   BOOST_TEST(number_of_parts({"--max-segments", "2"}) == 2);
   BOOST_TEST(number_of_parts({"--max-segments", "1"}) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(no_output_takes_the_place_of_another_file_of_the_run)
+{
+  const Scratch_folder folder;
+  folder.write("a.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+  folder.write("b.xyz", "0 0 0\n");
+  std::filesystem::create_directory(folder.path() / "s");
+  folder.write("s/part_0.ply", "ply\nformat ascii 1.0\ncomment " +
+                                   std::string(Shape_io::comment_of_parts) +
+                                   "\nelement vertex 1\nproperty float x\nproperty float y\n"
+                                   "property float z\nend_header\n0 0 0\n");
+  std::filesystem::create_symlink("a.xyz", folder.path() / "link");
+  std::filesystem::create_symlink("later", folder.path() / "other");
+  const std::size_t files = folder.number_of_files();
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"a.xyz", "-o", "./p.ply", "--hulls", "p.ply"},
+           {"a.xyz", "--labels", "later", "--stats", "other"},
+           {"a.xyz", "--labels", "a.xyz"},
+           {"a.xyz", "--labels", "s/../a.xyz"},
+           {"a.xyz", "--stats", "link"},
+           {"a.xyz", "--transfer", "b.xyz", "--labels", "b.xyz"},
+           {"a.xyz", "--split", "s", "--labels", "s/part_0.ply"},
+           {"a.xyz", "--split", "s", "--labels", "./s/part_none.ply"},
+           {"s/part_0.ply", "--split", "s"}})
+  {
+    const Outcome outcome = run(folder, "segment_shape", words);
+    BOOST_TEST(outcome.exit_code == 1, words.back());
+    BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    BOOST_TEST(folder.number_of_files() == files);
+    BOOST_TEST(folder.read("a.xyz").size() == 18u);
+  }
+  const Outcome devices =
+      run(folder, "segment_shape", {"a.xyz", "-o", "/dev/null", "--labels", "l"});
+  BOOST_TEST(devices.exit_code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(links_are_followed_and_kept)
+{
+  const Scratch_folder folder;
+  folder.write("a.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+  const auto link = [&](const char* to, const char* name)
+  { std::filesystem::create_symlink(to, folder.path() / name); };
+  const auto is_link = [&](const char* name)
+  { return std::filesystem::is_symlink(folder.path() / name); };
+  link("new.seg", "to_new");
+  link("none/new.seg", "to_nowhere");
+  link("circle", "circle");
+  link("none", "folder");
+  BOOST_TEST(run(folder, "segment_shape", {"a.xyz", "--labels", "to_new"}).exit_code == 0);
+  BOOST_TEST(is_link("to_new"));
+  BOOST_TEST(labels_of(folder, "new.seg").size() == 3u);
+  for (const char* name : {"to_nowhere", "circle"})
+    BOOST_TEST(run(folder, "segment_shape", {"a.xyz", "--labels", name}).exit_code == 1);
+  BOOST_TEST(run(folder, "segment_shape", {"a.xyz", "--split", "folder"}).exit_code == 1);
+  for (const char* name : {"to_nowhere", "circle", "folder"}) BOOST_TEST(is_link(name), name);
+}
+
+// What segment_shape prints is lost, or a file may not become so large.
+BOOST_AUTO_TEST_CASE(nothing_is_left_when_the_system_refuses)
+{
+  const Scratch_folder folder;
+  const std::string bin_dir = std::getenv("WCS_BIN_DIR") ? std::getenv("WCS_BIN_DIR") : ".";
+  for (const std::string command :
+       {"%/segment_shape --shape box -o p.ply --labels l.seg >/dev/full",
+        "%/segment_shape --shape box -o p.ply --labels l.seg >&-",
+        "ulimit -f 8; %/segment_shape --shape box -o p.ply --labels l.seg >/dev/null",
+        "%/make_shapes box nosuch", "%/make_shapes \"no\nsuch\"",
+        "%/segment_scene \"no\nsuch.ply\" -o p.ply", "%/scan_shape -o none/p.ply"})
+  {
+    std::string words = command;
+    words.replace(words.find('%'), 1, quoted(bin_dir));
+    const Scratch_folder output;
+    words = "cd " + quoted(folder.path().string()) + "; exec 2>" + quoted(output.file("err")) +
+            "; " + words;
+    const int status = std::system(words.c_str());
+    BOOST_TEST((WIFEXITED(status) && WEXITSTATUS(status) == 1), command);
+    const std::string err = output.read("err");
+    BOOST_TEST(std::count(err.begin(), err.end(), '\n') == 1, err);
+    BOOST_TEST(folder.number_of_files() == 0u);
+  }
 }

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <ios>
 #include <iostream>
+#include <map>
 #include <ostream>
 #include <random>
 #include <string>
@@ -17,6 +18,50 @@
 #include <vector>
 
 namespace Shape_io {
+
+namespace internal {
+
+// Follows links, also to what is not there yet. Of links in a circle one is returned.
+inline std::filesystem::path without_links(std::filesystem::path path)
+{
+  constexpr int most_links = 40;
+  std::error_code error;
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(path, error); ++i)
+    path = path.parent_path() / std::filesystem::read_symlink(path, error); // may be absolute
+  return path;
+}
+
+// One name for all the names of a file.
+inline std::filesystem::path place_of_file(const std::string& path)
+{
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(without_links(path), error);
+  const std::filesystem::path place = std::filesystem::weakly_canonical(absolute, error);
+  return error ? absolute : place;
+}
+
+} // namespace internal
+
+// Throws File_error if two outputs are one file, or if one is an input, by whatever names. "-" and devices
+// can be named more than once.
+inline void check_output_places(const std::vector<std::string>& outputs,
+                                const std::vector<std::string>& inputs)
+{
+  std::map<std::filesystem::path, std::string> taken;
+  std::error_code error;
+  for (const std::string& input : inputs)
+    if (!input.empty() && input != "-") taken.emplace(internal::place_of_file(input), input);
+  for (const std::string& output : outputs)
+  {
+    if (output == "-" || (std::filesystem::exists(output, error) &&
+                          !std::filesystem::is_regular_file(output, error)))
+      continue;
+    const auto [entry, is_new] = taken.emplace(internal::place_of_file(output), output);
+    if (!is_new)
+      throw File_error("cannot write '" + output + "': it is the same file as '" + entry->second +
+                       "'; name another one");
+  }
+}
 
 // A file that is there as a whole or not at all: it is written beside its place and renamed by
 // commit(). Without commit(), the destructor removes what was written. The name "-" is standard
@@ -40,8 +85,9 @@ public:
                   (std::filesystem::exists(m_target, error) &&
                    !std::filesystem::is_regular_file(m_target, error));
     // The file that a link names is replaced, not the link.
+    if (!m_is_direct) m_target = internal::without_links(m_target);
     if (!m_is_direct && std::filesystem::is_symlink(m_target, error))
-      m_target = std::filesystem::weakly_canonical(m_target, error);
+      fail("its links lead in a circle; name a file");
     m_written = m_target;
     if (!m_is_direct) m_written += "." + std::to_string(std::random_device()()) + ".tmp";
     m_stream.open(m_written, std::ios::binary | std::ios::trunc);
@@ -113,10 +159,12 @@ public:
   explicit New_folder(const std::string& path) : m_path(path)
   {
     std::error_code error;
+    std::vector<std::filesystem::path> missing;
     for (std::filesystem::path p = m_path; !p.empty() && !std::filesystem::exists(p, error);
          p = p.parent_path())
-      m_made.push_back(p);
-    std::filesystem::create_directories(m_path, error);
+      missing.insert(missing.begin(), p);
+    for (const auto& p : missing)
+      if (std::filesystem::create_directory(p, error)) m_made.insert(m_made.begin(), p);
     if (std::filesystem::is_directory(m_path, error)) return;
     remove_made();
     throw File_error("cannot make the folder '" + path +

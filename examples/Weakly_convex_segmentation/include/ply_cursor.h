@@ -6,6 +6,7 @@
 
 #include "text_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -105,10 +106,20 @@ public:
   std::size_t list_size(const Ply_type type)
   {
     const double size = number(type);
-    if (!(size >= 0. && size <= static_cast<double>(number_of_bytes_left())))
-      throw std::runtime_error("a list is said to have " + std::to_string(size) +
-                               " entries, more than the file holds; export the shape again");
+    if (!(size >= 0. && size <= static_cast<double>(number_of_bytes_left())) ||
+        size != std::floor(size))
+      throw std::runtime_error(
+          "a list is said to have " + std::to_string(size) +
+          " entries, which is none or more than the file holds; export the shape again");
     return static_cast<std::size_t>(size);
+  }
+
+  // Throws if there are more numbers in a text: the elements are more than the header tells, or their
+  // lines have more columns, and then all were read in the wrong places. Binary files may be padded.
+  void check_end() const
+  {
+    if (m_format == Ply_format::ASCII && !std::all_of(m_next, m_end, is_space))
+      throw std::runtime_error("it holds more than its header tells; export the shape again");
   }
 
 private:

@@ -106,12 +106,7 @@ inline void read_off_face(Text_lines& lines, Shape& shape)
   if (corners >= words.size()) lines.refuse("has fewer corners than it tells");
   shape.polygons.emplace_back();
   for (std::size_t i = 1; i <= corners; ++i)
-  {
-    const double corner = number_of(words[i]);
-    // an index that can't be one becomes one that is out of range, which is refused later
-    shape.polygons.back().push_back(corner >= 0. && corner < 1e15 ? static_cast<std::size_t>(corner)
-                                                                  : std::size_t(-1));
-  }
+    shape.polygons.back().push_back(corner_index(number_of(words[i])));
 }
 
 inline void read_off(const std::string& bytes, Shape& shape)
@@ -123,6 +118,7 @@ inline void read_off(const std::string& bytes, Shape& shape)
   const bool is_plain_cloud = counts[1] == 0 && !signature.has_colors_or_textures;
   read_off_points(lines, counts[0], signature.has_normals || is_plain_cloud, shape);
   for (std::size_t i = 0; i < counts[1]; ++i) read_off_face(lines, shape);
+  if (lines.next()) lines.refuse("is one more than it tells of");
 }
 
 } // namespace internal

@@ -231,6 +231,7 @@ inline void read_pcd(const std::string& bytes, Shape& shape)
     for (std::size_t i = 0; i < header.points; ++i)
       for (Pcd_column& column : columns)
         column.property.values.push_back(pcd_number(cursor, column, is_text));
+  cursor.check_end();
   std::vector<Property> properties;
   for (Pcd_column& column : columns)
     if (!column.is_padding) properties.push_back(std::move(column.property));

@@ -79,7 +79,9 @@ inline bool take_ply_header_line(const std::string& line, const std::size_t file
   else if (keyword == "element")
   {
     long long size = -1;
-    if (!(words >> name >> size) || size < 0 || static_cast<std::size_t>(size) > file_size)
+    std::string more; // "1e3" is a 1 and more
+    if (!(words >> name >> size) || words >> more || size < 0 ||
+        static_cast<std::size_t>(size) > file_size)
       throw std::runtime_error("its header has a wrong number of elements in '" + shown(line, 40) +
                                "'; copy or export it again");
     header.elements.push_back({name, static_cast<std::size_t>(size), {}});
@@ -123,8 +125,7 @@ inline std::vector<std::size_t> read_ply_polygon(Ply_cursor& cursor, const Ply_t
   for (std::size_t& corner : polygon)
   {
     const double number = cursor.number(type);
-    // An index that can't be one becomes one that is out of range, which is refused later.
-    corner = number >= 0. && number < 1e15 ? static_cast<std::size_t>(number) : std::size_t(-1);
+    corner = corner_index(number);
   }
   return polygon;
 }
@@ -233,6 +234,7 @@ inline void read_ply(const std::string& bytes, Shape& shape)
     else if (element.name == "tristrips")
       throw std::runtime_error("it has triangle strips; export it with single triangles");
   }
+  cursor.check_end();
 }
 
 } // namespace internal

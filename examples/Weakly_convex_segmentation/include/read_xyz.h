@@ -37,6 +37,9 @@ inline bool take_row(const Text_lines& lines, Number_table& table)
   double number;
   for (std::size_t i = 0; i < words.size(); ++i)
     if (!is_number(words[i], number)) return false;
+  constexpr std::size_t most_columns = 10000;
+  if (words.size() > most_columns)
+    lines.refuse("has more than " + std::to_string(most_columns) + " numbers");
   if (table.columns.empty()) table.columns.resize(words.size());
   if (words.size() != table.columns.size())
     lines.refuse("has " + std::to_string(words.size()) + " numbers, but those before have " +

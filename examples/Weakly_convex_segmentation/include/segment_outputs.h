@@ -75,10 +75,16 @@ public:
     if (m_view) page->write(m_view->stream(), m_options, shape, stages, run);
   }
 
+  // Writes all that is still in memory.
+  void finish()
+  {
+    for (const auto& file : m_files) file->finish();
+  }
+
   // Puts all files in their places, unless there was an interruption.
   void commit()
   {
-    for (const auto& file : m_files) file->finish();
+    finish();
     Interruption::check();
     for (const auto& file : m_files) file->commit();
     if (m_folder) m_folder->commit();

@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <system_error>
+#include <vector>
 
 // The folder of segment_shape --split. Parts of an earlier run that this run has no part for would
 // look like parts of this shape.
@@ -56,6 +57,21 @@ public:
       if (!std::filesystem::remove(path, error) && error)
         throw Shape_io::File_error("cannot remove '" + path + "', a part of an earlier run (" +
                                    error.message() + "); remove it by hand");
+    }
+  }
+
+  // Throws File_error if one of the files is a part of the folder by its name.
+  static void check_no_part(const std::string& folder, const std::vector<std::string>& files)
+  {
+    const auto place = Shape_io::internal::place_of_file(folder + "/.");
+    for (const std::string& file : files)
+    {
+      if (file.empty() || file == "-") continue;
+      const auto other = Shape_io::internal::place_of_file(file);
+      if (is_name_of_part(other.filename().string()) &&
+          Shape_io::internal::place_of_file(other.parent_path().string() + "/.") == place)
+        throw Shape_io::File_error("cannot write to '" + folder + "': '" + file +
+                                   "' has the name of a part there; name another folder");
     }
   }
 

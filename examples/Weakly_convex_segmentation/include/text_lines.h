@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
@@ -50,6 +51,15 @@ inline double number_of(const std::string_view word)
     throw std::runtime_error("'" + shown(word) +
                              "' is not a number; check the file or export the shape again");
   return number;
+}
+
+// The index of a point. What can't be one becomes one that is out of range, which is refused later.
+inline std::size_t corner_index(const double number)
+{
+  constexpr double beyond = 1e15;
+  return number >= 0. && number < beyond && number == std::floor(number)
+             ? static_cast<std::size_t>(number)
+             : std::size_t(-1);
 }
 
 // Goes through the lines that hold words. A line ends with a line feed, a carriage return or both;
