@@ -159,9 +159,17 @@ BOOST_AUTO_TEST_CASE(the_order_and_threads_change_nothing)
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
   const std::vector<Coordinates> other = estimated(permuted(raw, order));
   for (std::size_t i = 0; i < order.size(); ++i) BOOST_REQUIRE(other[i] == usual[order[i]]);
-  Run_control parallel;
+  Run_control parallel; // and one of the threads asks, all the time
   parallel.parallel = true;
+  std::size_t questions = 0;
+  parallel.callback = [&](double)
+  {
+    parallel.asked_time = Run_control::Clock::time_point();
+    return ++questions > 0;
+  };
+  parallel.progress(0.);
   BOOST_CHECK(estimated(raw, parallel) == usual);
+  BOOST_CHECK_GT(questions, 1u);
 }
 
 // It is the quality of the fit that is tested: within 5 degrees on a sphere.

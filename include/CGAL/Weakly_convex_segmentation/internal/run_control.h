@@ -36,7 +36,8 @@ struct Run_control
     if (!callback) return;
     asked_share = share;
     asked_time = Clock::now();
-    asking_thread = std::this_thread::get_id();
+    // other threads may read it meanwhile, see check_sometimes()
+    if (asking_thread != std::this_thread::get_id()) asking_thread = std::this_thread::get_id();
     if (!callback(share)) throw Canceled();
   }
 
