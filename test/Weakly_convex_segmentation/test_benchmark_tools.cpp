@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(the_runner_goes_on_and_tells_of_failures)
   folder.write("shapes/broken.ply", "ply\nnonsense\n");
   BOOST_TEST(exit_code(folder, runner() + "corpus shapes corpus") == 1);
   const Json corpus = Json::parse(folder.read("corpus/corpus.json"));
-  BOOST_TEST(corpus["shapes"].size() == 1u);
+  BOOST_REQUIRE(corpus["shapes"].size() == 1u);
   BOOST_TEST(corpus["shapes"][0]["number_of_segments"] == 2);
   BOOST_TEST(corpus["failures"].contains("broken.ply"));
   BOOST_TEST(folder.has("corpus/pictures/more_a.off.ppm"));
