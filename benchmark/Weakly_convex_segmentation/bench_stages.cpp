@@ -89,11 +89,11 @@ void visibility(benchmark::State& state)
 {
   const Shape_analysis& shape = analyzed(size_of(state));
   std::vector<std::pair<int, int>> pairs;
-  for (int b = 0; b < static_cast<int>(shape.patches.size()); ++b)
+  for (int b = 0; b < static_cast<int>(shape.patches().size()); ++b)
     for (int a = 0; a < b; ++a) pairs.push_back({a, b});
   for (auto _ : state)
   {
-    Patch_visibility lines(*shape.sight, shape.patches, WCS::Parameters(), false);
+    Patch_visibility lines(*shape.sight, shape.patches(), WCS::Parameters(), false);
     lines.prepare(pairs);
     benchmark::DoNotOptimize(lines.known_pairs());
   }
@@ -104,7 +104,7 @@ void borders(benchmark::State& state)
   const Shape_analysis& shape = analyzed(size_of(state));
   for (auto _ : state)
   {
-    std::vector<int> labels = shape.patches.of_point;
+    std::vector<int> labels = shape.patches().of_point;
     benchmark::DoNotOptimize(refine_borders(shape.graph, WCS::Parameters(), labels));
   }
 }

@@ -128,18 +128,18 @@ struct Trial
   WCS::Merge_tree tree;
 
   Trial(Model& m, const WCS::Parameters& parameters)
-    : model(m),
-      graph(m.shape->points(), m.shape->graph, m.shape->patches, *m.shape->visibility, parameters),
-      features(graph, m.shape->patches, m.shape->diameters), tree(m.shape->patches.size())
+    : model(m), graph(m.shape->points(), m.shape->graph, m.shape->patches(), m.shape->visibility(),
+                      parameters),
+      features(graph, m.shape->patches(), m.shape->diameters), tree(m.shape->patches().size())
   {
-    WCS::internal::set_signatures(graph, m.shape->patches, m.shape->diameters,
+    WCS::internal::set_signatures(graph, m.shape->patches(), m.shape->diameters,
                                   WCS::internal::Histogram_scale());
-    graph.add_shapes(m.shape->points(), m.shape->graph, m.shape->patches, m.shape->diameters);
-    graph.add_profiles(m.shape->points(), m.shape->graph, m.shape->patches);
+    graph.add_shapes(m.shape->points(), m.shape->graph, m.shape->patches(), m.shape->diameters);
+    graph.add_profiles(m.shape->points(), m.shape->graph, m.shape->patches());
   }
   Trial(const Trial& other)
     : model(other.model), graph(other.graph),
-      features(graph, model.shape->patches, model.shape->diameters), tree(other.tree)
+      features(graph, model.shape->patches(), model.shape->diameters), tree(other.tree)
   {}
 };
 
@@ -242,7 +242,7 @@ Path_cost path_cost(Trial& trial, const Tree_tables* tables, const WCS::Paramete
   return [&trial, &parameters](const int a, const int b)
   {
     const WCS::internal::Histogram_scale scale;
-    const WCS::internal::Region_cost cost(trial.graph, trial.model.shape->patches,
+    const WCS::internal::Region_cost cost(trial.graph, trial.model.shape->patches(),
                                           trial.model.shape->diameters, scale, parameters);
     WCS::Merging_cost weights;
     weights.visibility_weight = weights.diameter_weight = 0.5;
@@ -275,7 +275,7 @@ std::vector<int> fitted_regions(Trial& trial, const Tree_table& table, const dou
   const WCS::internal::Histogram_scale scale;
   WCS::internal::absorb_small_regions(
       trial.graph,
-      WCS::internal::Region_cost(trial.graph, trial.model.shape->patches,
+      WCS::internal::Region_cost(trial.graph, trial.model.shape->patches(),
                                  trial.model.shape->diameters, scale, parameters),
       parameters, log);
   return trial.graph.labels();
@@ -294,21 +294,22 @@ void score(const std::filesystem::path& folder, const Tree_tables& tables,
                           model, Patch_scores::refined_labels(model, regions, parameters))
                     : Patch_scores::rand_error(model, regions);
   };
-  for_each_saved(
-      folder,
-      [&](Model& model)
-      {
-        const Trial fresh(model, parameters);
-        for (std::size_t i = 0; i < thresholds.size(); ++i)
-        {
-          Trial own(fresh);
-          const auto regions = fitted_regions(own, tables.of_model(model.number), thresholds[i]);
-          fitted[i].add(model, error(model, regions), regions);
-        }
-        const auto regions = WCS::internal::regions_at(
-            WCS::internal::merge_patches(*model.shape, parameters, {}), WCS::Level::SEGMENTS);
-        plain.add(model, error(model, regions), regions);
-      });
+  for_each_saved(folder,
+                 [&](Model& model)
+                 {
+                   const Trial fresh(model, parameters);
+                   for (std::size_t i = 0; i < thresholds.size(); ++i)
+                   {
+                     Trial own(fresh);
+                     const auto regions =
+                         fitted_regions(own, tables.of_model(model.number), thresholds[i]);
+                     fitted[i].add(model, error(model, regions), regions);
+                   }
+                   const auto regions = WCS::internal::regions_at(
+                       WCS::internal::contract_patches(*model.shape, parameters, {}).tree,
+                       WCS::Level::SEGMENTS);
+                   plain.add(model, error(model, regions), regions);
+                 });
   plain.print("default");
   for (std::size_t i = 0; i < thresholds.size(); ++i)
     fitted[i].print("threshold " + std::to_string(thresholds[i]));

@@ -66,6 +66,7 @@ inline std::map<std::string, Setter> setters()
       {"minimum_face_samples", setter(&P::minimum_face_samples)},
       {"seed", setter(&P::seed)},
       {"number_of_patches", setter(&P::number_of_patches)},
+      {"number_of_patch_sets", setter(&P::number_of_patch_sets)},
       {"number_of_supervoxels", setter(&P::number_of_supervoxels)},
       {"patch_concavity_tolerance", setter(&P::patch_concavity_tolerance)},
       {"concave_edge_weight", setter(&P::concave_edge_weight)},

@@ -52,7 +52,7 @@ inline void count_patches(Model& model)
 {
   const std::vector<int> patches = WCS::internal::element_patches(*model.shape);
   model.elements = static_cast<double>(patches.size());
-  model.patch_sizes.assign(model.shape->patches.size(), 0.);
+  model.patch_sizes.assign(model.shape->patches().size(), 0.);
   for (const int p : patches) model.patch_sizes[static_cast<std::size_t>(p)] += 1.;
   for (Human& human : model.humans)
   {
@@ -68,9 +68,10 @@ inline void count_patches(Model& model)
   }
 }
 
-inline Model load(const std::filesystem::path& data, const int number,
-                  const WCS::Parameters& parameters, const Variant variant = Variant::MESH)
+inline Model load(const std::filesystem::path& data, const int number, WCS::Parameters parameters,
+                  const Variant variant = Variant::MESH)
 {
+  parameters.number_of_patch_sets = 1; // a cost is judged by what it makes of one
   const SM::Mesh mesh = SM::read_off(data / "off" / (std::to_string(number) + ".off"));
   const auto shape = Shape_variants::make_variant(
       mesh, variant, static_cast<unsigned int>(number) + 1000 * parameters.seed);
@@ -134,7 +135,7 @@ inline std::vector<int> refined_labels(const Model& model, const std::vector<int
                                        const WCS::Parameters& parameters)
 {
   std::vector<int> labels;
-  for (const int p : model.shape->patches.of_point)
+  for (const int p : model.shape->patches().of_point)
     labels.push_back(region_of_patch[static_cast<std::size_t>(p)]);
   WCS::internal::refine_borders(model.shape->graph, parameters, labels);
   return WCS::internal::element_labels(

@@ -62,7 +62,7 @@ public:
     (*this)(shape.graph.first);
     (*this)(shape.graph.neighbors);
     (*this)(shape.graph.spacing);
-    (*this)(shape.patches.of_point);
+    (*this)(shape.patch_sets.front().patches.of_point);
     (*this)(shape.diameters);
   }
 
@@ -88,14 +88,14 @@ inline std::filesystem::path saved_path(const std::filesystem::path& folder, con
 /// saves a model, after all that is not known yet of its visibility was measured.
 inline void save(Model& model, const std::filesystem::path& folder)
 {
-  const int patches = static_cast<int>(model.shape->patches.size());
+  const int patches = static_cast<int>(model.shape->patches().size());
   std::vector<std::pair<int, int>> all;
   for (int a = 0; a < patches; ++a)
     for (int b = a + 1; b < patches; ++b) all.push_back({a, b});
-  model.shape->visibility->prepare(all);
+  model.shape->visibility().prepare(all);
   std::vector<float> visibility;
   for (const auto& [a, b] : all)
-    visibility.push_back(static_cast<float>((*model.shape->visibility)(a, b)));
+    visibility.push_back(static_cast<float>(model.shape->visibility()(a, b)));
 
   std::ofstream out(saved_path(folder, model.number), std::ios::binary);
   Archive<std::ofstream> archive(out);
@@ -116,22 +116,24 @@ inline Model load_saved(const std::filesystem::path& folder, const int number,
   model.number = number;
   model.shape = std::make_unique<WCS::internal::Shape_analysis>();
   WCS::internal::Shape_analysis& shape = *model.shape;
+  shape.patch_sets.resize(1);
   archive(shape);
-  for (std::size_t i = 0; i < shape.patches.of_point.size(); ++i)
+  WCS::internal::Patches& patches = shape.patch_sets.front().patches;
+  for (std::size_t i = 0; i < patches.of_point.size(); ++i)
   {
-    const auto p = static_cast<std::size_t>(shape.patches.of_point[i]);
-    if (p >= shape.patches.members.size()) shape.patches.members.resize(p + 1);
-    shape.patches.members[p].push_back(static_cast<WCS::internal::Index>(i));
+    const auto p = static_cast<std::size_t>(patches.of_point[i]);
+    if (p >= patches.members.size()) patches.members.resize(p + 1);
+    patches.members[p].push_back(static_cast<WCS::internal::Index>(i));
   }
   std::vector<float> visibility;
   archive(visibility);
   shape.sight = std::make_unique<WCS::internal::Sight>(shape.points(), shape.graph, parameters);
-  shape.visibility = std::make_unique<WCS::internal::Patch_visibility>(*shape.sight, shape.patches,
-                                                                       parameters, false);
-  const int patches = static_cast<int>(shape.patches.size());
+  shape.patch_sets.front().visibility =
+      std::make_unique<WCS::internal::Patch_visibility>(*shape.sight, patches, parameters, false);
+  const int count = static_cast<int>(patches.size());
   std::size_t next = 0;
-  for (int a = 0; a < patches; ++a)
-    for (int b = a + 1; b < patches; ++b) shape.visibility->remember(a, b, visibility[next++]);
+  for (int a = 0; a < count; ++a)
+    for (int b = a + 1; b < count; ++b) shape.visibility().remember(a, b, visibility[next++]);
   std::size_t humans = 0;
   archive(humans);
   model.humans.resize(humans);

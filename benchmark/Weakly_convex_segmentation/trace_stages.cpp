@@ -69,8 +69,8 @@ Json lines_of_sight(const Shape_analysis& shape, const std::size_t faces_per_pat
 {
   std::vector<WCS::internal::Index> sample;
   Json faces = Json::array(), patches = Json::array(), rows = Json::array();
-  for (std::size_t p = 0; p < shape.patches.size(); ++p)
-    for (const auto i : WCS::internal::spread_sample(shape.patches.members[p], faces_per_patch))
+  for (std::size_t p = 0; p < shape.patches().size(); ++p)
+    for (const auto i : WCS::internal::spread_sample(shape.patches().members[p], faces_per_patch))
     {
       sample.push_back(i);
       faces.push_back(shape.points().elements[i]);
@@ -89,11 +89,11 @@ Json lines_of_sight(const Shape_analysis& shape, const std::size_t faces_per_pat
 Json visibility(Shape_analysis& shape)
 {
   Json rows = Json::array();
-  const int count = static_cast<int>(shape.patches.size());
+  const int count = static_cast<int>(shape.patches().size());
   for (int a = 0; a < count; ++a)
   {
     std::vector<double> row;
-    for (int b = 0; b < count; ++b) row.push_back(a == b ? 1. : (*shape.visibility)(a, b));
+    for (int b = 0; b < count; ++b) row.push_back(a == b ? 1. : shape.visibility()(a, b));
     rows.push_back(row);
   }
   return rows;
@@ -124,12 +124,13 @@ Json trace(const Shape_io::Shape& mesh, const WCS::Parameters& parameters)
       WCS::internal::read_soup(mesh.points, mesh.polygons,
                                CGAL::Identity_property_map<Shape_io::Point>()),
       parameters, control);
-  const WCS::Merge_tree tree = WCS::internal::merge_patches(*shape, parameters, control);
-  const std::vector<int> regions = WCS::internal::regions_at(tree, WCS::Level::SEGMENTS);
+  const auto contraction = WCS::internal::contract_patches(*shape, parameters, control);
+  const std::vector<int> regions =
+      WCS::internal::regions_at(contraction.tree, WCS::Level::SEGMENTS);
   WCS::Parameters unrefined = parameters;
   unrefined.refinement = WCS::Refinement_rule::NONE;
   const auto finish = [&](const WCS::Parameters& p)
-  { return WCS::internal::finish_segmentation(*shape, tree, regions, p, control); };
+  { return WCS::internal::finish_segmentation(*shape, contraction, regions, p, control); };
   const WCS::Result result = finish(parameters);
   Json points = Json::array(), ranks = Json::array();
   for (const auto& p : mesh.points) points.push_back({p.x(), p.y(), p.z()});

@@ -68,9 +68,9 @@ Prepared prepare(const std::filesystem::path& folder, const int number,
   p.model = Patch_scores::load_saved(folder, number, parameters);
   const auto& shape = *p.model.shape;
   p.graph = std::make_unique<WCS::internal::Region_graph>(
-      shape.points(), shape.graph, shape.patches, *shape.visibility, parameters);
-  WCS::internal::set_signatures(*p.graph, shape.patches, shape.diameters, {});
-  p.graph->add_shapes(shape.points(), shape.graph, shape.patches, shape.diameters);
+      shape.points(), shape.graph, shape.patches(), shape.visibility(), parameters);
+  WCS::internal::set_signatures(*p.graph, shape.patches(), shape.diameters, {});
+  p.graph->add_shapes(shape.points(), shape.graph, shape.patches(), shape.diameters);
   for (const auto& human : p.model.humans)
     p.people_parts +=
         static_cast<double>(std::set<int>(human.labels.begin(), human.labels.end()).size());
@@ -83,8 +83,8 @@ std::vector<int> merged_regions(const Prepared& p, const WCS::Parameters& parame
   const WCS::internal::Histogram_scale scale;
   WCS::internal::Region_graph graph(*p.graph);
   const auto& shape = *p.model.shape;
-  const WCS::internal::Region_cost cost(graph, shape.patches, shape.diameters, scale, parameters);
-  WCS::Merge_tree tree(shape.patches.size());
+  const WCS::internal::Region_cost cost(graph, shape.patches(), shape.diameters, scale, parameters);
+  WCS::Merge_tree tree(shape.patches().size());
   const WCS::internal::Contraction_log log{tree, nullptr};
   WCS::internal::contract_by_cost(graph, cost, parameters.merging_cost,
                                   parameters.merging_threshold, log);

@@ -100,7 +100,7 @@ struct Parameters
   std::size_t number_of_neighbors = 10;
   /// Shapes of more points are thinned to about so many representatives, on which everything that
   /// is not linear in time runs; `[100, 1e9]`
-  std::size_t number_of_representatives = 20000;
+  std::size_t number_of_representatives = 5000;
   /// Faces with an edge longer than so many square roots of the mean area of a face get more than one
   /// point, as if they were cut there; the label of a face is that of most of its points. 0: one
   /// point a face; `[0, 1000]`
@@ -125,6 +125,9 @@ struct Parameters
 
   /// wanted number of patches; `[1, 1000]`
   std::size_t number_of_patches = 88;
+  /// The patches are made anew so many times, each set is merged to segments, and the segments are what
+  /// most of them agree on; `[1, 100]`. More are steadier and a little better, and take longer.
+  std::size_t number_of_patch_sets = 3;
   /// number of supervoxels that the spectral clustering works on, which bound its time;
   /// `[1, 20000]`
   std::size_t number_of_supervoxels = 1500;
@@ -155,10 +158,10 @@ struct Parameters
   /// there is no such test and lines that pass outside of the shape count when unoccluded.
   double outside_tolerance = 90.;
   /// A pair of patches is decided when so many first rays agree; 0 casts all rays.
-  std::size_t rays_for_early_decision = 10;
+  std::size_t rays_for_early_decision = 4;
   /// A pair of patches that is not decided early gets at most so many rays; 0: all
   /// `samples_per_patch` squared.
-  std::size_t maximum_rays_per_pair = 25;
+  std::size_t maximum_rays_per_pair = 9;
 
   /// @}
   /// \name Rules
@@ -196,7 +199,7 @@ struct Parameters
   /// `[1, 1e6]`
   std::size_t diameter_samples = 2000;
   /// `Diameter_rule::WHOLE_SHAPE`: rays a point; `[1, 256]`
-  std::size_t diameter_rays = 16;
+  std::size_t diameter_rays = 10;
   /// a seam edge is concave from this angle on (`epsilon`), degrees; `[0, 179]`
   double seam_concavity_tolerance = 10.2;
 
@@ -264,9 +267,11 @@ inline Parameters Parameters::paper()
 {
   Parameters p;
   p.face_sampling_factor = 0.; // section 6: one point a face
+  p.number_of_representatives = 20000;
   p.noise_tolerance = 180.;
   p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
   p.number_of_patches = 100;    // silent; the trial of the method used 100
+  p.number_of_patch_sets = 1;
   p.patch_concavity_tolerance = 0.;
   p.grazing_tolerance = 0.; // section 3: every disk on the line occludes it
   p.rays_for_early_decision = 0;
@@ -325,6 +330,7 @@ inline void Parameters::check() const
   check("minimum_face_samples", minimum_face_samples, 0., 1e6);
   check("noise_tolerance", noise_tolerance, 0., 180.);
   check("number_of_patches", number_of_patches, 1., 1000.);
+  check("number_of_patch_sets", number_of_patch_sets, 1., 100.);
   check("number_of_supervoxels", number_of_supervoxels, 1., 20000.);
   check("patch_concavity_tolerance", patch_concavity_tolerance, 0., 180.);
   check("concave_edge_weight", concave_edge_weight, 0., 1.);

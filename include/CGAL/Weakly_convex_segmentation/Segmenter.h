@@ -67,9 +67,10 @@ public:
   Result segment(const Parameters& parameters)
   {
     parameters.check();
-    Merge_tree tree = internal::merge_patches(*m_shape, parameters, m_control);
-    const std::vector<int> regions = internal::regions_at(tree, Level::SEGMENTS);
-    return internal::finish_segmentation(*m_shape, std::move(tree), regions, parameters, m_control);
+    internal::Contraction contraction = internal::contract_patches(*m_shape, parameters, m_control);
+    const std::vector<int> regions = internal::regions_at(contraction.tree, Level::SEGMENTS);
+    return internal::finish_segmentation(*m_shape, std::move(contraction), regions, parameters,
+                                         m_control);
   }
 
   /// refines the borders of another cut through a merge tree of this shape: the labels of its patches
@@ -86,16 +87,17 @@ public:
                 const Parameters& parameters)
   {
     parameters.check();
-    if (patch_labels.size() != m_shape->patches.size())
+    if (patch_labels.size() != m_shape->patches().size())
       throw std::invalid_argument("there are " + std::to_string(patch_labels.size()) +
-                                  " patch labels for " + std::to_string(m_shape->patches.size()) +
+                                  " patch labels for " + std::to_string(m_shape->patches().size()) +
                                   " patches");
     for (const int label : patch_labels)
-      if (label < 0 || static_cast<std::size_t>(label) >= m_shape->patches.size())
+      if (label < 0 || static_cast<std::size_t>(label) >= m_shape->patches().size())
         throw std::invalid_argument("the patch label " + std::to_string(label) +
                                     " is not from 0 to " +
-                                    std::to_string(m_shape->patches.size() - 1));
-    return internal::finish_segmentation(*m_shape, tree, patch_labels, parameters, m_control);
+                                    std::to_string(m_shape->patches().size() - 1));
+    return internal::finish_segmentation(*m_shape, {tree, m_shape->patches().of_point},
+                                         patch_labels, parameters, m_control);
   }
 
   /// takes diameters of the shape that were measured elsewhere, such as by `mesh_diameters()`, for
@@ -116,7 +118,7 @@ public:
   }
 
   /// returns the number of patches, the leaves of each merge tree; about `Parameters::number_of_patches`.
-  std::size_t number_of_patches() const { return m_shape->patches.size(); }
+  std::size_t number_of_patches() const { return m_shape->patches().size(); }
 
   /// returns the convexity rank \f$ |LoS(S)| / |S|^2 \f$ (equation 1) of a subset of the input.
   /// \param subset indices of input elements, in input order

@@ -19,6 +19,7 @@ enum class Stage
   PATCHES,    ///< over-segmentation into nearly convex patches
   VISIBILITY, ///< search tree of the disks (lines of sight are cast on demand, while merging)
   SIGNATURES, ///< shape diameters
+  AGREEMENT,  ///< segments that several sets of patches agree on
   FUSION,     ///< patches into weakly convex components
   MERGING,    ///< components into segments
   REFINEMENT, ///< borders of the segments
@@ -29,14 +30,14 @@ enum class Stage
 /// returns a lower-case name of the stage, which is never freed; `stage` has to be one of the enumeration.
 inline const char* stage_name(const Stage stage)
 {
-  const char* const names[] = {"sampling", "neighbors", "patches",    "visibility", "signatures",
-                               "fusion",   "merging",   "refinement", "statistics"};
+  const char* const names[] = {"sampling",  "neighbors", "patches", "visibility", "signatures",
+                               "agreement", "fusion",    "merging", "refinement", "statistics"};
   return names[static_cast<int>(stage)];
 }
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// number of values of `Stage`
-constexpr std::size_t number_of_stages = 9;
+constexpr std::size_t number_of_stages = 10;
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// Base class of visitors: derive, override what is of interest, and pass the object with the named
@@ -51,7 +52,7 @@ public:
   /// called when a stage begins
   virtual void stage_begins(Stage) {}
   /// called when a stage ends; `size` is the number of things that it made: representatives,
-  /// neighbor edges, patches, disks, diameters, components, segments, moved points, segments
+  /// neighbor edges, patches, disks, diameters, sets of patches, components, segments, moved points, segments
   virtual void stage_ends(Stage, std::size_t /* size */) {}
   /// called for each merge with a patch of either region, counted from 0, and the cost that was paid
   virtual void merged(int /* first_patch */, int /* second_patch */, double /* cost */) {}

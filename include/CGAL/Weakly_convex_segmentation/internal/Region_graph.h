@@ -319,6 +319,13 @@ struct Contraction_log
 {
   Merge_tree& tree;
   Visitor* visitor = nullptr;
+  std::vector<int> apart =
+      {}; ///< a label a patch: regions of different ones stay apart; may be empty
+
+  bool keeps_apart(const int a, const int b) const
+  {
+    return !apart.empty() && apart[a] != apart[b];
+  }
 };
 
 /// A merge that may be next.
@@ -346,6 +353,7 @@ inline void contract(Region_graph& graph, const Function_ref<double(int, int)> c
   const auto consider = [&](const int a, const int b)
   {
     const int low = (std::min)(a, b), high = (std::max)(a, b);
+    if (log.keeps_apart(low, high)) return; // a region is named by one of its patches
     const double cost = criterion(low, high);
     if (cost < std::numeric_limits<double>::infinity())
       queue.push({cost, low, high, age[low], age[high]});

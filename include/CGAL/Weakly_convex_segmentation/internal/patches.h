@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_H
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/spectral_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/supervoxels.h>
 
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -105,7 +107,7 @@ inline std::vector<Weighted_edge> supervoxel_edges(const Neighbor_graph& graph,
 /// wanted patches: a shape of thousands of pieces then has small eigenproblems, and most have none.
 inline std::vector<Index> cluster_supervoxels(const Supervoxels& supervoxels,
                                               const std::vector<Weighted_edge>& edges,
-                                              const Parameters& parameters)
+                                              const Parameters& parameters, const unsigned int seed)
 {
   std::vector<Index> parent(supervoxels.count);
   std::iota(parent.begin(), parent.end(), Index(0));
@@ -138,8 +140,7 @@ inline std::vector<Index> cluster_supervoxels(const Supervoxels& supervoxels,
     const double share = static_cast<double>(points[r]) / supervoxels.of_point.size();
     const std::size_t wanted = static_cast<std::size_t>(
         std::ceil(share * static_cast<double>(parameters.number_of_patches) - 1e-9));
-    const std::vector<Index> own =
-        spectral_clusters(nodes[r].size(), piece_edges[r], wanted, parameters.seed);
+    const std::vector<Index> own = spectral_clusters(nodes[r].size(), piece_edges[r], wanted, seed);
     Index used = 0;
     for (std::size_t i = 0; i < own.size(); ++i)
     {
@@ -197,15 +198,13 @@ inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const P
   return result;
 }
 
-/// over-segments the points into patches.
-inline Patches extract_patches(const Oriented_points& points, const Neighbor_graph& graph,
-                               const Parameters& parameters)
+/// returns the patches that one clustering of the supervoxels gives.
+inline Patches cluster_to_patches(const Neighbor_graph& graph, const Supervoxels& supervoxels,
+                                  const std::vector<Weighted_edge>& edges,
+                                  const Parameters& parameters, const unsigned int seed)
 {
-  const Supervoxels supervoxels = build_supervoxels(points, graph, parameters.number_of_supervoxels,
-                                                    parameters.patch_concavity_tolerance);
-  const std::vector<Index> cluster = cluster_supervoxels(
-      supervoxels, supervoxel_edges(graph, supervoxels, parameters), parameters);
-  std::vector<Index> labels(points.size());
+  const std::vector<Index> cluster = cluster_supervoxels(supervoxels, edges, parameters, seed);
+  std::vector<Index> labels(graph.size());
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = cluster[supervoxels.of_point[i]];
 
   Patches patches;
@@ -213,8 +212,38 @@ inline Patches extract_patches(const Oriented_points& points, const Neighbor_gra
       absorb_small_pieces(graph, connected_pieces(graph, labels), parameters.minimum_patch_size);
   const int count = 1 + *std::max_element(patches.of_point.begin(), patches.of_point.end());
   patches.members.resize(static_cast<std::size_t>(count));
-  for (Index i = 0; i < points.size(); ++i) patches.members[patches.of_point[i]].push_back(i);
+  for (Index i = 0; i < graph.size(); ++i) patches.members[patches.of_point[i]].push_back(i);
   return patches;
+}
+
+/// over-segments the points into patches, `Parameters::number_of_patch_sets` times: the clusterings
+/// begin at different supervoxels.
+inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
+                                               const Neighbor_graph& graph,
+                                               const Parameters& parameters, const bool parallel)
+{
+  const Supervoxels supervoxels = build_supervoxels(points, graph, parameters.number_of_supervoxels,
+                                                    parameters.patch_concavity_tolerance);
+  const std::vector<Weighted_edge> edges = supervoxel_edges(graph, supervoxels, parameters);
+  std::mt19937 random(parameters.seed);
+  std::vector<unsigned int> seeds = {parameters.seed};
+  while (seeds.size() < parameters.number_of_patch_sets)
+    seeds.push_back(static_cast<unsigned int>(random()));
+  std::vector<Patches> sets(seeds.size());
+  parallel_for(
+      sets.size(), parallel,
+      [&](const std::size_t s)
+      { sets[s] = cluster_to_patches(graph, supervoxels, edges, parameters, seeds[s]); },
+      1);
+  return sets;
+}
+
+/// over-segments the points into one set of patches.
+inline Patches extract_patches(const Oriented_points& points, const Neighbor_graph& graph,
+                               Parameters parameters)
+{
+  parameters.number_of_patch_sets = 1;
+  return std::move(extract_patch_sets(points, graph, parameters, false).front());
 }
 
 } // namespace internal

@@ -26,6 +26,13 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// Patches, and what they see of each other.
+struct Patch_set
+{
+  Patches patches;
+  std::unique_ptr<Patch_visibility> visibility;
+};
+
 /// What is known of a shape before any merging: all that does not depend on thresholds.
 struct Shape_analysis
 {
@@ -33,13 +40,14 @@ struct Shape_analysis
   bool has_flipped_normals = false; ///< those of the input pointed inwards
   Representatives representatives;
   Neighbor_graph graph;
-  Patches patches;
-  bool is_smoothed = false; ///< the representatives had too much noise
+  bool is_smoothed = false;          ///< the representatives had too much noise
+  std::vector<Patch_set> patch_sets; ///< the first is what the merge tree is about
   std::unique_ptr<Sight> sight;
-  std::unique_ptr<Patch_visibility> visibility;
   std::vector<Diameter_sample> diameters; ///< through the whole shape
 
   const Oriented_points& points() const { return representatives.points; }
+  const Patches& patches() const { return patch_sets.front().patches; }
+  Patch_visibility& visibility() const { return *patch_sets.front().visibility; }
   std::size_t representative(const std::size_t input_point) const
   {
     return representatives.of_point.empty() ? input_point : representatives.of_point[input_point];
@@ -85,16 +93,19 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
   control.stage(Stage::PATCHES,
                 [&]
                 {
-                  shape->patches = extract_patches(shape->points(), shape->graph, parameters);
-                  return shape->patches.size();
+                  for (Patches& patches : extract_patch_sets(shape->points(), shape->graph,
+                                                             parameters, control.parallel))
+                    shape->patch_sets.push_back({std::move(patches), nullptr});
+                  return shape->patches().size();
                 });
   control.stage(Stage::VISIBILITY,
                 [&]
                 {
                   shape->sight = std::make_unique<Sight>(shape->points(), shape->graph, parameters);
                   control.check();
-                  shape->visibility = std::make_unique<Patch_visibility>(
-                      *shape->sight, shape->patches, parameters, control.parallel);
+                  for (Patch_set& set : shape->patch_sets)
+                    set.visibility = std::make_unique<Patch_visibility>(
+                        *shape->sight, set.patches, parameters, control.parallel);
                   return shape->sight->tree().size();
                 });
   control.stage(Stage::SIGNATURES,

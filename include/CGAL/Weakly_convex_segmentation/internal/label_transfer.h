@@ -1,0 +1,148 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LABEL_TRANSFER_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LABEL_TRANSFER_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/alpha_expansion_refinement.h>
+#include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
+#include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+// From the representatives back to the points and to the elements of the input.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// renames labels to 0, 1, ... in the order of their first element; returns how many there are.
+inline std::size_t number_labels(std::vector<int>& labels)
+{
+  int largest = -1;
+  for (const int l : labels) largest = (std::max)(largest, l);
+  std::vector<int> number(static_cast<std::size_t>(largest + 1), -1);
+  int next = 0;
+  for (int& l : labels)
+  {
+    if (number[l] < 0) number[l] = next++;
+    l = number[l];
+  }
+  return static_cast<std::size_t>(next);
+}
+
+/// returns the input points whose representative is in the band, ascending.
+inline std::vector<Index> points_in_band(const Shape_analysis& shape,
+                                         const std::vector<Band_point>& band, const bool parallel)
+{
+  std::vector<Index> result;
+  for (const std::vector<Index>&of_block :
+       map_blocks(shape.input.size(), parallel,
+                  [&](const std::size_t begin, const std::size_t end)
+                  {
+                    std::vector<Index> own;
+                    for (std::size_t i = begin; i < end; ++i)
+                      if (band[shape.representative(i)].other >= 0)
+                        own.push_back(static_cast<Index>(i));
+                    return own;
+                  }))
+    result.insert(result.end(), of_block.begin(), of_block.end());
+  return result;
+}
+
+/// returns the labels of the input points in spatial order, from those of the representatives, with
+/// the borders refined anew among the points themselves: only those near a border are looked at.
+inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vector<int>& labels,
+                                     const Parameters& parameters, const Run_control& control)
+{
+  std::vector<int> result(shape.input.size());
+  parallel_for(
+      result.size(), control.parallel,
+      [&](const std::size_t i) { result[i] = labels[shape.representative(i)]; }, 4096);
+  if (shape.representatives.of_point.empty() || parameters.refinement == Refinement_rule::NONE ||
+      parameters.band_width == 0.)
+    return result;
+
+  control.check();
+  // the borders of the representatives are right up to their spacing: a narrower band is enough
+  const float spacing =
+      std::accumulate(shape.graph.spacing.begin(), shape.graph.spacing.end(), 0.f) /
+      static_cast<float>(shape.graph.size());
+  Parameters fine = parameters;
+  fine.band_width = (std::min)(parameters.band_width, 1.5 * static_cast<double>(spacing));
+  const std::vector<Band_point> band = find_band(
+      shape.graph, labels, static_cast<float>(fine.band_width) + spacing, control.parallel);
+  const std::vector<Index> near_border = points_in_band(shape, band, control.parallel);
+  if (near_border.empty()) return result;
+  control.check();
+
+  Oriented_points points = sub_points(shape.input, near_border);
+  if (!parameters.use_mesh_adjacency) points.links.clear();
+  Neighbor_graph graph =
+      build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel);
+  if (shape.is_smoothed) smooth_noise(radians(parameters.noise_tolerance), graph, points);
+  control.check();
+  std::vector<int> band_labels;
+  for (const Index i : near_border) band_labels.push_back(result[i]);
+  move_borders(graph, fine, band_labels, control.parallel);
+  for (std::size_t j = 0; j < near_border.size(); ++j) result[near_border[j]] = band_labels[j];
+  return result;
+}
+
+/// returns one label an input element from those of the points: what most of its points have, the
+/// smallest of such.
+inline std::vector<int> element_labels(const Oriented_points& points,
+                                       const std::vector<int>& labels, const bool parallel = false)
+{
+  std::vector<int> result(points.number_of_elements);
+  if (points.size() == points.number_of_elements)
+  {
+    parallel_for(
+        points.size(), parallel,
+        [&](const std::size_t i) { result[points.elements[i]] = labels[i]; }, 4096);
+    return result;
+  }
+
+  std::vector<std::pair<Index, int>> votes(points.size());
+  for (std::size_t i = 0; i < votes.size(); ++i) votes[i] = {points.elements[i], labels[i]};
+  std::sort(votes.begin(), votes.end());
+  std::vector<std::size_t> most(result.size(), 0);
+  for (std::size_t first = 0, last = 0; first < votes.size(); first = last)
+  {
+    while (last < votes.size() && votes[last] == votes[first]) ++last;
+    const auto [element, label] = votes[first];
+    if (last - first > most[element]) most[element] = last - first, result[element] = label;
+  }
+  return result;
+}
+
+/// returns the patch of each input element.
+inline std::vector<int> element_patches(const Shape_analysis& shape, const bool parallel = false)
+{
+  std::vector<int> patches(shape.input.size());
+  parallel_for(
+      patches.size(), parallel,
+      [&](const std::size_t i) { patches[i] = shape.patches().of_point[shape.representative(i)]; },
+      4096);
+  return element_labels(shape.input, patches, parallel);
+}
+
+/// gives each representative the final label of one of its points.
+inline void relabel_representatives(const Shape_analysis& shape,
+                                    const std::vector<int>& element_labels,
+                                    std::vector<int>& labels)
+{
+  for (std::size_t i = 0; i < shape.input.size(); ++i)
+    labels[shape.representative(i)] = element_labels[shape.input.elements[i]];
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_LABEL_TRANSFER_H
