@@ -49,6 +49,7 @@ std::map<std::string, Range> ranges()
   std::map<std::string, Range> result = {{"number_of_neighbors", {3., 100.}},
                                          {"number_of_representatives", {100., 1e9}},
                                          {"number_of_patches", {1., 1000.}},
+                                         {"number_of_patch_sets", {1., 100.}},
                                          {"number_of_supervoxels", {1., 20000.}},
                                          {"patch_concavity_tolerance", {0., 180.}},
                                          {"face_sampling_factor", {0., 1000.}},
@@ -87,10 +88,10 @@ std::map<std::string, Range> ranges()
 
 bool is_count(const std::string& name)
 {
-  static const std::set<std::string> counts = {"number_of_neighbors", "number_of_representatives",
-                                               "number_of_patches",   "number_of_supervoxels",
-                                               "samples_per_patch",   "histogram_bins",
-                                               "diameter_samples",    "diameter_rays"};
+  static const std::set<std::string> counts = {
+      "number_of_neighbors",   "number_of_representatives", "number_of_patches",
+      "number_of_supervoxels", "number_of_patch_sets",      "samples_per_patch",
+      "histogram_bins",        "diameter_samples",          "diameter_rays"};
   return counts.count(name) > 0;
 }
 
@@ -129,9 +130,14 @@ std::vector<Setting> settings()
           {"use_mesh_adjacency", "default", "stretched dumbbell", 0.},
           {"seed", "default", "dumbbell", 9.},
           {"face_sampling_factor", "default", "long triangles", 0.},
-          {"minimum_face_samples", "default", "long triangles", 9000.},
+          {"minimum_face_samples",
+           "default",
+           "long triangles",
+           9000.,
+           {"number_of_representatives=20000"}},
           {"flip_inward_normals", "default", "inward dumbbell", 0.},
           {"number_of_patches", "default", "dumbbell", 40.},
+          {"number_of_patch_sets", "default", "hand", 1.},
           {"number_of_supervoxels", "default", "dumbbell", 400.},
           {"patch_concavity_tolerance", "default", "dumbbell", 40.},
           {"concave_edge_weight", "default", "dumbbell", 1.},

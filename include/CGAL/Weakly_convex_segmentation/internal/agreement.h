@@ -56,11 +56,11 @@ class Agreement
 {
 public:
   explicit Agreement(const Overlay& classes)
-    : m_sizes(classes.sizes), m_together(classes.sizes.size()), m_age(classes.sizes.size(), 0)
+    : m_runs(static_cast<double>(classes.labels.front().size())), m_sizes(classes.sizes),
+      m_together(classes.sizes.size()), m_age(classes.sizes.size(), 0)
   {
     for (std::size_t c = 0; c < m_sizes.size(); ++c) m_cluster.push_back(static_cast<int>(c));
-    const std::size_t runs = classes.labels.front().size();
-    for (std::size_t s = 0; s < runs; ++s)
+    for (std::size_t s = 0; s < classes.labels.front().size(); ++s)
     {
       std::map<int, std::vector<int>> with_label;
       for (std::size_t c = 0; c < m_sizes.size(); ++c)
@@ -68,7 +68,7 @@ public:
       for (const auto& [label, members] : with_label)
         for (const int a : members)
           for (const int b : members)
-            if (a != b) m_together[a][b] += m_sizes[a] * m_sizes[b] / static_cast<double>(runs);
+            if (a != b) m_together[a][b] += m_sizes[a] * m_sizes[b];
     }
   }
 
@@ -114,12 +114,14 @@ public:
 private:
   struct Candidate
   {
-    double share;
+    double share, pairs;
     int a, b;
     std::size_t age_a, age_b;
+    /// Of equal shares, which few segmentations have many of, that of most points is first: what lies
+    /// between two borders then goes with the large neighbors, not with what lies there too.
     bool operator<(const Candidate& other) const // the queue's top is its largest element
     {
-      return std::tie(share, other.a, other.b) < std::tie(other.share, a, b);
+      return std::tie(share, pairs, other.a, other.b) < std::tie(other.share, other.pairs, a, b);
     }
   };
 
@@ -127,10 +129,10 @@ private:
   {
     for (const auto& [b, together] : m_together[a])
     {
-      const double share = together / (m_sizes[a] * m_sizes[b]);
+      const double pairs = m_sizes[a] * m_sizes[b], share = together / (m_runs * pairs);
       if (share <= least || (only_higher && b < a)) continue;
       const int low = (std::min)(a, b), high = (std::max)(a, b);
-      m_queue.push({share, low, high, m_age[low], m_age[high]});
+      m_queue.push({share, pairs, low, high, m_age[low], m_age[high]});
     }
   }
 
@@ -151,9 +153,10 @@ private:
     ++m_age[b];
   }
 
+  double m_runs;               ///< number of segmentations
   std::vector<double> m_sizes; ///< points in each cluster
   std::vector<int> m_cluster;  ///< classes as a forest: the root names the cluster
-  /// pairs of points of two clusters that are together, times the share of the segmentations
+  /// pairs of points of two clusters that are together, summed over the segmentations
   std::vector<std::map<int, double>> m_together;
   std::vector<std::size_t> m_age;
   std::priority_queue<Candidate> m_queue;
