@@ -58,7 +58,7 @@ public:
   {}
 
   /// segments with the given rules and thresholds. What the constructor has used (number of neighbors,
-  /// representatives and patches, visibility, diameters, seed) stays as it was given there.
+  /// representatives, patches and sets of patches, visibility, diameters, seed) stays as it was given there.
   /// \throws std::invalid_argument if a parameter is out of its range
   /// \throws Canceled if the callback returns false; the object stays usable
   ///

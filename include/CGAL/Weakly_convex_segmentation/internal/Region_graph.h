@@ -321,10 +321,18 @@ struct Contraction_log
   Visitor* visitor = nullptr;
   std::vector<int> apart =
       {}; ///< a label a patch: regions of different ones stay apart; may be empty
+  double lowest = -std::numeric_limits<double>::infinity(); ///< costs are told within these bounds
+  double highest = std::numeric_limits<double>::infinity();
 
   bool keeps_apart(const int a, const int b) const
   {
     return !apart.empty() && apart[a] != apart[b];
+  }
+  void tell(const int a, const int b, const double cost) const
+  {
+    const double told = (std::min)((std::max)(cost, lowest), highest);
+    tree.add(a, b, told);
+    if (visitor != nullptr) visitor->merged(a, b, told);
   }
 };
 
@@ -367,8 +375,7 @@ inline void contract(Region_graph& graph, const Function_ref<double(int, int)> c
     queue.pop();
     if (age[best.a] != best.age_a || age[best.b] != best.age_b) continue;
     graph.merge(best.a, best.b);
-    log.tree.add(best.a, best.b, best.cost);
-    if (log.visitor != nullptr) log.visitor->merged(best.a, best.b, best.cost);
+    log.tell(best.a, best.b, best.cost);
     ++age[best.a];
     ++age[best.b];
     for (const auto& entry : graph.seams(best.a)) consider(best.a, entry.first);

@@ -176,8 +176,7 @@ inline void merge_flat_components(Region_graph& graph, const Component_signature
     const int other = neighbor_of_flat_component(graph, r, parameters);
     if (other < 0 || log.keeps_apart(other, r)) continue;
     graph.merge(other, r);
-    log.tree.add(other, r, parameters.signature_threshold);
-    if (log.visitor != nullptr) log.visitor->merged(other, r, parameters.signature_threshold);
+    log.tell(other, r, parameters.signature_threshold);
   }
 }
 

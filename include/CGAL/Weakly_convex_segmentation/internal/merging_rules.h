@@ -30,6 +30,8 @@ public:
   virtual void fuse(const Contraction_log& log) = 0;
   /// merges components into segments.
   virtual void merge(const Contraction_log& log) = 0;
+  /// returns the highest cost at which components become segments.
+  virtual double merging_threshold() const = 0;
   /// returns the cost of merging what lies beyond the segments, for the order of the merge tree.
   virtual double cost_beyond(int a, int b) = 0;
 };
@@ -57,6 +59,7 @@ public:
                      log);
     absorb_small_regions(m_graph, m_cost, m_parameters, log);
   }
+  double merging_threshold() const override { return m_parameters.merging_threshold; }
   double cost_beyond(const int a, const int b) override // no more lines of sight
   {
     return m_cost.blind(a, b, m_parameters.merging_cost);
@@ -99,6 +102,7 @@ public:
     contract_fitted(m_graph, m_cost, m_parameters.fitted_merging_threshold, log);
     absorb_small_regions(m_graph, m_plain_cost, m_parameters, log);
   }
+  double merging_threshold() const override { return m_parameters.fitted_merging_threshold; }
   double cost_beyond(const int a, const int b) override { return m_cost(a, b); }
 
 private:
@@ -124,6 +128,7 @@ public:
   {
     merge_components(m_graph, m_signatures, m_shape.diameters, m_parameters, log);
   }
+  double merging_threshold() const override { return m_parameters.signature_threshold; }
   double cost_beyond(const int a, const int b) override { return 2. - m_graph.visibility(a, b); }
 
 private:

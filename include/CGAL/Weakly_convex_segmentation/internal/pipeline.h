@@ -13,6 +13,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/segment_statistics.h>
 #include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -40,10 +41,8 @@ struct Contraction
 inline void merge_and_tell(Region_graph& graph, const int a, const int b,
                            const Contraction_log& log)
 {
-  constexpr double cost = (std::numeric_limits<double>::max)();
   graph.merge(a, b);
-  log.tree.add(a, b, cost);
-  if (log.visitor != nullptr) log.visitor->merged(a, b, cost);
+  log.tell(a, b, (std::numeric_limits<double>::max)());
 }
 
 /// goes on merging what is not adjacent until `fewest` regions are left: the smallest region with its
@@ -107,14 +106,25 @@ inline std::size_t finish_merging(Region_graph& graph, Merging_rules& rules,
   return accepted;
 }
 
+/// Asks the callback at each merge of a set of patches, whose merges nobody else is told of.
+class Silent_visitor : public Visitor
+{
+  const Run_control& m_control;
+
+public:
+  explicit Silent_visitor(const Run_control& control) : m_control(control) {}
+  void merged(int, int, double) override { m_control.check_on_any_thread(); }
+};
+
 /// returns the segments of the representatives that one set of patches leads to.
 inline std::vector<int> segments_of_set(const Shape_analysis& shape, const Patch_set& set,
-                                        const Parameters& parameters, const bool parallel)
+                                        const Parameters& parameters, const Run_control& control)
 {
   Region_graph graph(shape.points(), shape.graph, set.patches, *set.visibility, parameters);
   Merge_tree tree(set.patches.size());
-  const Contraction_log log{tree};
-  const auto rules = make_rules(shape, set.patches, graph, parameters, parallel);
+  Silent_visitor asking(control);
+  const Contraction_log log{tree, &asking};
+  const auto rules = make_rules(shape, set.patches, graph, parameters, control.parallel);
   rules->fuse(log);
   rules->merge(log);
   const std::vector<int> regions = graph.labels();
@@ -132,14 +142,30 @@ inline std::vector<int> agree(const Shape_analysis& shape, const Parameters& par
   parallel_for(
       segmentations.size(), control.parallel,
       [&](const std::size_t s)
-      {
-        control.check_sometimes();
-        segmentations[s] =
-            segments_of_set(shape, shape.patch_sets[s], parameters, control.parallel);
-      },
+      { segmentations[s] = segments_of_set(shape, shape.patch_sets[s], parameters, control); },
       1);
   return agreed_labels(segmentations, parameters.minimum_segment_share *
                                           static_cast<double>(shape.points().size()));
+}
+
+/// finds what the sets of patches agree on, if there are several: returns a label for each patch of the
+/// first, and sets the patches of the points.
+inline std::vector<int> agreed_patch_labels(const Shape_analysis& shape,
+                                            const Parameters& parameters,
+                                            const Run_control& control,
+                                            std::vector<int>& patch_of_point)
+{
+  std::vector<int> of_patches;
+  control.stage(Stage::AGREEMENT,
+                [&]
+                {
+                  if (shape.patch_sets.size() == 1) return std::size_t(1);
+                  const std::vector<int> labels = agree(shape, parameters, control);
+                  of_patches = patch_labels(shape.patches(), labels);
+                  patch_of_point = patches_of_labels(shape.patches(), of_patches, labels);
+                  return shape.patch_sets.size();
+                });
+  return of_patches;
 }
 
 /// contracts the patches.
@@ -151,20 +177,19 @@ inline Contraction contract_patches(Shape_analysis& shape, const Parameters& par
     shape.diameters = shape_diameters(*shape.sight, parameters, control.parallel);
   const Patches& patches = shape.patches();
   Contraction result{Merge_tree(patches.size()), patches.of_point};
-  std::vector<int> apart; // labels of patches that must not be merged
-  control.stage(Stage::AGREEMENT,
-                [&]
-                {
-                  if (shape.patch_sets.size() == 1) return std::size_t(1);
-                  const std::vector<int> labels = agree(shape, parameters, control);
-                  apart = patch_labels(patches, labels);
-                  result.patch_of_point = patches_of_labels(patches, apart, labels);
-                  return shape.patch_sets.size();
-                });
+  const std::vector<int> apart =
+      agreed_patch_labels(shape, parameters, control, result.patch_of_point);
   Region_graph graph(shape.points(), shape.graph, patches, shape.visibility(), parameters);
-  Asking_visitor asking(control);
-  const Contraction_log log{result.tree, &asking}, within{result.tree, &asking, apart};
   const auto rules = make_rules(shape, patches, graph, parameters, control.parallel);
+  Asking_visitor asking(control);
+  Contraction_log log{result.tree, &asking}, within{result.tree, &asking, apart};
+  if (!apart.empty())
+  {
+    // for Merge_tree::labels_at_cost() what is agreed on costs no more than the threshold, the rest more
+    within.highest = rules->merging_threshold();
+    log.lowest =
+        std::nextafter(rules->merging_threshold(), std::numeric_limits<double>::infinity());
+  }
   control.stage(Stage::FUSION,
                 [&]
                 {

@@ -48,8 +48,13 @@ struct Run_control
     if (callback && Clock::now() - asked_time > interval) progress(asked_share);
   }
 
-  /// check() for what happens millions of times, and on any thread: only the thread that has asked
-  /// before asks again.
+  /// check() on any thread: only the thread that has asked before asks again.
+  void check_on_any_thread() const
+  {
+    if (callback && std::this_thread::get_id() == asking_thread) check();
+  }
+
+  /// the same for what happens millions of times
   void check_sometimes() const
   {
     if (callback && std::this_thread::get_id() == asking_thread && ++skipped % 1024 == 0) check();
