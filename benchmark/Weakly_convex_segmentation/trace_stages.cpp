@@ -64,16 +64,26 @@ WCS::Parameters read_parameters(const std::vector<std::string>& words)
   return parameters;
 }
 
+/// A face of each representative.
+std::vector<WCS::internal::Index> faces_of_representatives(const Shape_analysis& shape)
+{
+  std::vector<WCS::internal::Index> faces(shape.points().size());
+  for (std::size_t i = 0; i < shape.input.size(); ++i)
+    faces[shape.representative(i)] = shape.input.elements[i];
+  return faces;
+}
+
 /// One face a patch, and between which of them is a line of sight: rows of 0 and 1.
 Json lines_of_sight(const Shape_analysis& shape, const std::size_t faces_per_patch)
 {
+  const auto face_of = faces_of_representatives(shape);
   std::vector<WCS::internal::Index> sample;
   Json faces = Json::array(), patches = Json::array(), rows = Json::array();
   for (std::size_t p = 0; p < shape.patches().size(); ++p)
     for (const auto i : WCS::internal::spread_sample(shape.patches().members[p], faces_per_patch))
     {
       sample.push_back(i);
-      faces.push_back(shape.points().elements[i]);
+      faces.push_back(face_of[i]);
       patches.push_back(p);
     }
   for (const auto i : sample)
@@ -101,10 +111,11 @@ Json visibility(Shape_analysis& shape)
 
 Json diameters(const Shape_analysis& shape)
 {
+  const auto face_of = faces_of_representatives(shape);
   Json result = Json::array();
   for (const auto& sample : shape.diameters)
-    result.push_back({shape.points().elements[sample.point],
-                      sample.diameter * static_cast<float>(shape.input.extent)});
+    result.push_back(
+        {face_of[sample.point], sample.diameter * static_cast<float>(shape.input.extent)});
   return result;
 }
 
