@@ -329,7 +329,8 @@ BOOST_AUTO_TEST_CASE(thousands_of_pieces)
     add_sphere(spheres, {1. * (i % 12), 1. * (i / 12 % 12), 1. * (i / 144)}, 0.02, 12);
   for (Parameters preset : presets)
   {
-    preset.maximum_number_of_segments = 3; // whatever the distance
+    preset.maximum_number_of_segments = 3;    // whatever the distance
+    preset.number_of_representatives = 20000; // fewer would run the pieces together
     const Result result = WCS::internal::segment_points(spheres, preset, {});
     check_result(result, spheres.positions.size());
     BOOST_CHECK_GE(result.merge_tree.number_of_patches(), 1500u);
