@@ -213,16 +213,16 @@ struct Axes
     const Principal_axes axes(covariance(sum, squares, count));
     const auto deviation = [](const double variance)
     { return std::sqrt((std::max)(variance, 1e-12)); };
-    lengths = {deviation(axes.values.x), deviation(axes.values.y), deviation(axes.values.z)};
-    direction = axes.longest;
+    lengths = {deviation(axes.values().x), deviation(axes.values().y), deviation(axes.values().z)};
+    direction = axes.longest();
   }
 };
 
 /// standard deviation along the longest axis
 inline double longest_axis(const Double3& sum, const Second_moments& squares, const double count)
 {
-  const Principal_axes axes(covariance(sum, squares, count), false);
-  return std::sqrt((std::max)(1e-24, axes.values.z));
+  const Principal_axes axes(covariance(sum, squares, count));
+  return std::sqrt((std::max)(1e-24, axes.values().z));
 }
 
 /// Shape of a region as ratios in [0, 1].
@@ -235,12 +235,12 @@ struct Shape_ratios
 
 inline Shape_ratios shape_ratios(const Region_shape& shape, const Axes& axes, const double size)
 {
-  const Principal_axes normal_axes(shape.normal_squares / size, false);
+  const Principal_axes normal_axes(shape.normal_squares / size);
   Shape_ratios ratios;
   ratios.middle_axis = axes.lengths[1] / axes.lengths[2];
   ratios.short_axis = axes.lengths[0] / axes.lengths[2];
   ratios.normal_mean = length(shape.normal) / size;
-  ratios.normal_least = (std::max)(0., normal_axes.values.x);
+  ratios.normal_least = (std::max)(0., normal_axes.values().x);
   return ratios;
 }
 

@@ -4,43 +4,20 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SECOND_MOMENTS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SECOND_MOMENTS_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-// Vectors of three doubles and symmetric 3x3 matrices, for the axes of clouds of points. They do what
+// Symmetric 3x3 matrices, for the axes of clouds of points. They do what
 // Eigen's closed form does, with the same rounding, but take a compiler a hundredth of the time.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-struct Double3
-{
-  double x = 0., y = 0., z = 0.;
-
-  double operator[](const int i) const { return i == 0 ? x : (i == 1 ? y : z); }
-};
-
-inline Double3 operator+(const Double3& a, const Double3& b)
-{
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Double3 operator-(const Double3& a, const Double3& b)
-{
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Double3 operator*(const double s, const Double3& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline Double3 operator/(const Double3& a, const double s) { return {a.x / s, a.y / s, a.z / s}; }
-inline Double3& operator+=(Double3& a, const Double3& b) { return a = a + b; }
-inline double dot(const Double3& a, const Double3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Double3 cross(const Double3& a, const Double3& b)
-{
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline double length(const Double3& a) { return std::sqrt(dot(a, a)); }
 /// returns a unit vector, or `a` if it has no direction.
 inline Double3 unit_vector(const Double3& a)
 {
@@ -116,36 +93,57 @@ inline std::pair<Double3, Double3> kernel_of(const Second_moments& m)
   return {squared_a > squared_b ? a / std::sqrt(squared_a) : b / std::sqrt(squared_b), column};
 }
 
-/// returns the eigenvector of the largest of the eigenvalues `values` of `m`.
-inline Double3 longest_direction(const Second_moments& m, const Double3& values)
+/// returns the eigenvector of the largest or the smallest eigenvalue, `own`; `opposite` is the one at the
+/// other end.
+inline Double3 direction_of(const Second_moments& m, const double own, const double middle,
+                            const double opposite)
 {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  if (values.z - values.x <= epsilon) return {0., 0., 1.};
-  const double above = values.z - values.y, below = values.y - values.x;
-  if (above > 2. * epsilon * below) return kernel_of(m.shifted(values.z)).first;
-  // the two largest are the same but for rounding: any direction across the shortest one
-  const auto [shortest, column] = kernel_of(m.shifted(values.x));
-  return unit_vector(column - dot(shortest, column) * column);
+  if (std::abs(own - middle) > 2. * epsilon * std::abs(middle - opposite))
+    return kernel_of(m.shifted(own)).first;
+  // the own and the middle one are the same but for rounding: any direction across the opposite one
+  const auto [across, column] = kernel_of(m.shifted(opposite));
+  return unit_vector(column - dot(across, column) * column);
 }
 
-/// Eigenvalues, ascending, and the eigenvector of the largest.
-struct Principal_axes
+/// Eigenvalues, ascending, and the eigenvectors at both ends.
+class Principal_axes
 {
-  Double3 values, longest;
-
-  explicit Principal_axes(const Second_moments& m, const bool with_direction = true)
+public:
+  explicit Principal_axes(const Second_moments& m)
   {
     const Double3 &d = m.diagonal, &o = m.off;
     const double shift = (d.x + (d.y + d.z)) / 3.;
-    Second_moments scaled = m.shifted(shift);
-    const Double3& e = scaled.diagonal;
+    m_scaled = m.shifted(shift);
+    const Double3& e = m_scaled.diagonal;
     const double scale = (std::max)(
         {std::abs(e.x), std::abs(e.y), std::abs(e.z), std::abs(o.x), std::abs(o.y), std::abs(o.z)});
-    if (scale > 0.) scaled = scaled / scale;
-    const Double3 roots = eigenvalues_of_scaled(scaled);
-    if (with_direction) longest = longest_direction(scaled, roots);
-    values = scale * roots + Double3{shift, shift, shift};
+    if (scale > 0.) m_scaled = m_scaled / scale;
+    m_roots = eigenvalues_of_scaled(m_scaled);
+    m_values = scale * m_roots + Double3{shift, shift, shift};
   }
+
+  const Double3& values() const { return m_values; }
+  Double3 longest() const
+  {
+    return is_round() ? Double3{0., 0., 1.}
+                      : direction_of(m_scaled, m_roots.z, m_roots.y, m_roots.x);
+  }
+  Double3 shortest() const
+  {
+    return is_round() ? Double3{1., 0., 0.}
+                      : direction_of(m_scaled, m_roots.x, m_roots.y, m_roots.z);
+  }
+
+private:
+  bool is_round() const // any direction will do
+  {
+    return m_roots.z - m_roots.x <= std::numeric_limits<double>::epsilon();
+  }
+
+  Second_moments m_scaled; ///< less a multiple of the identity, with coefficients of at most 1
+  Double3 m_roots;         ///< its eigenvalues
+  Double3 m_values;
 };
 
 } // namespace internal

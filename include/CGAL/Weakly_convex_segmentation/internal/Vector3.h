@@ -14,31 +14,49 @@ namespace internal {
 /// index of a point, patch or region
 using Index = std::uint32_t;
 
-/// Three floats: the core works on coordinates of about unit size, where single precision is ample
-/// and half the memory traffic of double.
-struct Vector3
+/// Three numbers.
+template <typename Number>
+struct Basic_vector3
 {
-  float x = 0.f, y = 0.f, z = 0.f;
+  Number x = 0, y = 0, z = 0;
 
-  float operator[](const int i) const { return i == 0 ? x : (i == 1 ? y : z); }
+  Number operator[](const int i) const { return i == 0 ? x : (i == 1 ? y : z); }
+
+  friend Basic_vector3 operator+(const Basic_vector3& a, const Basic_vector3& b)
+  {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend Basic_vector3 operator-(const Basic_vector3& a, const Basic_vector3& b)
+  {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend Basic_vector3 operator*(const Number s, const Basic_vector3& a)
+  {
+    return {s * a.x, s * a.y, s * a.z};
+  }
+  friend Basic_vector3 operator/(const Basic_vector3& a, const Number s)
+  {
+    return {a.x / s, a.y / s, a.z / s};
+  }
+  friend Basic_vector3& operator+=(Basic_vector3& a, const Basic_vector3& b) { return a = a + b; }
+  friend Number dot(const Basic_vector3& a, const Basic_vector3& b)
+  {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+  friend Basic_vector3 cross(const Basic_vector3& a, const Basic_vector3& b)
+  {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  friend Number squared_length(const Basic_vector3& a) { return dot(a, a); }
+  friend Number length(const Basic_vector3& a) { return std::sqrt(dot(a, a)); }
 };
 
-inline Vector3 operator+(const Vector3& a, const Vector3& b)
-{
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vector3 operator-(const Vector3& a, const Vector3& b)
-{
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vector3 operator*(const float s, const Vector3& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline float dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vector3 cross(const Vector3& a, const Vector3& b)
-{
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline float squared_length(const Vector3& a) { return dot(a, a); }
-inline float length(const Vector3& a) { return std::sqrt(dot(a, a)); }
+/// The core works on coordinates of about unit size, where single precision is ample and half the memory
+/// traffic of double.
+using Vector3 = Basic_vector3<float>;
+/// for sums over many points
+using Double3 = Basic_vector3<double>;
+
 /// returns a unit vector, or `fallback` if `a` has no direction.
 inline Vector3 normalized(const Vector3& a, const Vector3& fallback = {0.f, 0.f, 1.f})
 {

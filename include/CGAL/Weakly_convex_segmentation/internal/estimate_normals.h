@@ -4,14 +4,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ESTIMATE_NORMALS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ESTIMATE_NORMALS_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Second_moments.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/normal_propagation.h>
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,27 +27,28 @@ namespace internal {
 inline void fit_plane(Unoriented_points& shape, const Index i)
 {
   const std::vector<Vector3>& positions = shape.points.positions;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Double3 sum;
+  Second_moments squares;
   double n = 1.;
   for (std::size_t e = i * shape.k; e < (i + 1) * shape.k; ++e)
   {
     if (shape.nearest[e] == i) continue; // there are no more neighbors
     const Vector3 p = positions[shape.nearest[e]] - positions[i];
     n += 1.;
-    const Eigen::Vector3d d(p.x, p.y, p.z);
+    const Double3 d{p.x, p.y, p.z};
     sum += d;
-    squares += d * d.transpose();
+    squares += Second_moments(d);
   }
-  const Eigen::Matrix3d covariance = (squares - sum * sum.transpose() / n) / n;
-  const double size = covariance.trace();
+  const Second_moments covariance = (squares - Second_moments(sum) / n) / n;
+  const Double3& variances = covariance.diagonal;
+  const double size = variances.x + (variances.y + variances.z);
   shape.points.normals[i] = {};
   if (!(size > 0.)) return;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance / size);
-  const Eigen::Vector3f normal = solver.eigenvectors().col(0).cast<float>();
-  shape.points.normals[i] = normalized({normal.x(), normal.y(), normal.z()});
-  shape.roughness[i] = static_cast<float>((std::max)(0., solver.eigenvalues()[0] * size));
+  const Principal_axes axes(covariance / size);
+  const Double3 across = axes.shortest();
+  shape.points.normals[i] = normalized(
+      {static_cast<float>(across.x), static_cast<float>(across.y), static_cast<float>(across.z)});
+  shape.roughness[i] = static_cast<float>((std::max)(0., axes.values().x * size));
 }
 
 /// fills `raw.normals`, the same for any order of the points. The normal is zero where points are in one
