@@ -47,7 +47,8 @@ inline void merge_and_tell(Region_graph& graph, const int a, const int b,
 
 /// goes on merging what is not adjacent until `fewest` regions are left: the smallest region with its
 /// nearest, so that the merge tree serves any granularity.
-inline void merge_apart(Region_graph& graph, const Contraction_log& log, const std::size_t fewest)
+inline void merge_nonadjacent(Region_graph& graph, const Contraction_log& log,
+                              const std::size_t fewest)
 {
   while (graph.number_of_regions() > fewest)
   {
@@ -97,12 +98,12 @@ inline std::size_t finish_merging(Region_graph& graph, Merging_rules& rules,
   if (most > 0)
   {
     contract(graph, cost, log, most);
-    merge_apart(graph, log, most);
+    merge_nonadjacent(graph, log, most);
   }
   log.tree.set_accepted();
   const std::size_t accepted = graph.number_of_regions();
   contract(graph, cost, log);
-  merge_apart(graph, log, 1);
+  merge_nonadjacent(graph, log, 1);
   return accepted;
 }
 

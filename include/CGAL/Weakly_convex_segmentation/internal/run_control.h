@@ -48,16 +48,21 @@ struct Run_control
     if (callback && Clock::now() - asked_time > interval) progress(asked_share);
   }
 
+  bool asks_on_this_thread() const
+  {
+    return callback && std::this_thread::get_id() == asking_thread;
+  }
+
   /// check() on any thread: only the thread that has asked before asks again.
   void check_on_any_thread() const
   {
-    if (callback && std::this_thread::get_id() == asking_thread) check();
+    if (asks_on_this_thread()) check();
   }
 
   /// the same for what happens millions of times
   void check_sometimes() const
   {
-    if (callback && std::this_thread::get_id() == asking_thread && ++skipped % 1024 == 0) check();
+    if (asks_on_this_thread() && ++skipped % 1024 == 0) check();
   }
 
   /// runs one stage between its events; `work` returns the number of things made.
