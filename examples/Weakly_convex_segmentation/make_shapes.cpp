@@ -4,6 +4,8 @@
 // Writes shapes with known parts: meshes as OFF or point clouds as PLY, and the true part of each
 // face or point, one per line, as .seg.
 
+#include "include/atomic_file.h"
+#include "include/interruption.h"
 #include "include/program_errors.h"
 #include "include/shape_generator.h"
 
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -72,38 +73,21 @@ Options parse(int argc, char* argv[])
   return options;
 }
 
-// Calls write(stream) for a file next to the wanted one and then renames it, so that there never
-// is a half-written file of that name.
+// Calls write(stream) for a file that is there as a whole or not at all.
 template <class Write>
-void write_file(const std::filesystem::path& file, const Write& write)
+void write_file(const std::string& path, const Write& write)
 {
-  const std::filesystem::path unfinished = file.string() + ".unfinished";
-  try
-  {
-    std::ofstream out(unfinished);
-    out.precision(9);
-    write(out);
-    out.close();
-    if (!out)
-      throw std::runtime_error("cannot write " + file.string() +
-                               "; is the directory writable and the disk not full?");
-    std::error_code error;
-    std::filesystem::rename(unfinished, file, error);
-    if (error)
-      throw std::runtime_error("cannot replace " + file.string() + " (" + error.message() +
-                               "); remove it or choose another directory with -o");
-  }
-  catch (...)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    throw;
-  }
+  const Program_errors::Interruption interruption; // before there is a file to leave behind
+  Shape_io::Atomic_file file(path);
+  file.stream().precision(9);
+  write(file.stream());
+  interruption.check();
+  file.commit();
 }
 
-void write_labels(const std::filesystem::path& file, const std::vector<int>& labels)
+void write_labels(const std::string& path, const std::vector<int>& labels)
 {
-  write_file(file,
+  write_file(path,
              [&](std::ostream& out)
              {
                for (int label : labels) out << label << '\n';

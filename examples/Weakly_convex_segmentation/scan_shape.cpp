@@ -4,6 +4,7 @@
 // Scans a mesh, or a shape made in code, with a virtual depth camera and writes the cloud as PLY.
 
 #include "include/atomic_file.h"
+#include "include/interruption.h"
 #include "include/program_errors.h"
 #include "include/read_shape.h"
 #include "include/shape_generator.h"
@@ -80,6 +81,7 @@ Shape_generator::Labeled_mesh read_mesh(const std::string& path)
 void write_scan(const Virtual_scanner::Scan& scan, const std::vector<int>& labels,
                 const std::string& path)
 {
+  const Program_errors::Interruption interruption; // before there is a file to leave behind
   Shape_io::Atomic_file file(path);
   std::ostream& out = file.stream();
   out.precision(9);
@@ -98,6 +100,7 @@ void write_scan(const Virtual_scanner::Scan& scan, const std::vector<int>& label
     if (!labels.empty()) out << ' ' << labels[scan.faces[i]];
     out << '\n';
   }
+  interruption.check();
   file.commit();
 }
 

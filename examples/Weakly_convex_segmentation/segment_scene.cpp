@@ -5,6 +5,7 @@
 
 #include "include/atomic_file.h"
 #include "include/gaps.h"
+#include "include/interruption.h"
 #include "include/part_colors.h"
 #include "include/program_errors.h"
 #include "include/read_shape.h"
@@ -135,6 +136,7 @@ void segment_scene(const Files& files, const Scene_objects::Options& options)
   const Scene_objects::Scene scene = Scene_objects::segment_scene(measured.shape().points, options);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const Program_errors::Interruption interruption; // before there is a file to leave behind
   std::optional<Shape_io::Atomic_file> parts, stats;
   if (!files.parts.empty())
     write_scene(shape, measured, scene, parts.emplace(files.parts).stream());
@@ -146,6 +148,7 @@ void segment_scene(const Files& files, const Scene_objects::Options& options)
             << seconds << " seconds\n";
   // all or none: nothing takes its place before all is written
   Program_errors::flush_standard_output();
+  interruption.check();
   if (parts) parts->commit();
   if (stats) stats->commit();
 }

@@ -4,6 +4,7 @@
 // Segments a shape in a file, or a generated one, and writes the parts. See --help.
 
 #include "gaps.h"
+#include "interruption.h"
 #include "nearest_elements.h"
 #include "program_errors.h"
 #include "segment_options.h"
@@ -74,7 +75,7 @@ WCS::Result segment_with(const Shape& shape, const Options& options,
   const std::function<bool(double)> go_on = [&](const double share)
   {
     progress.show(share, WCS::stage_name(stages.stage()));
-    return !Segment_shape::Interruption::happened();
+    return !Program_errors::Interruption::happened();
   };
   const auto np = CGAL::parameters::callback(go_on).visitor(std::ref(stages));
   if (shape.is_mesh())
@@ -187,7 +188,7 @@ void segment_shape(const Options& options)
   const Shape_io::Measured_shape measured(shape);
   run.number_of_gaps = measured.number_of_gaps();
 
-  const Segment_shape::Interruption interruption;
+  const Program_errors::Interruption interruption;
   Segment_shape::Outputs outputs(options);
   const Segment_shape::Stopwatch segmentation;
   run.result = segment(measured.shape(), options, run.stages);
@@ -239,8 +240,7 @@ int main(const int argc, char* argv[])
                                }
                                catch (const WCS::Canceled&)
                                {
-                                 throw std::runtime_error(
-                                     "interrupted, nothing was written; start it again");
+                                 throw std::runtime_error(Program_errors::Interruption::message());
                                }
                              });
 }

@@ -52,11 +52,12 @@ void make_shape(const Scratch_folder& folder, const Words& words)
   BOOST_REQUIRE(run(folder, "make_shapes", words).exit_code == 0);
 }
 
-// Starts segment_shape in the folder and sends it the signal after a while.
-int interrupted_status(const Scratch_folder& folder, const int signal, const int milliseconds,
-                       const std::vector<std::string>& words)
+// Starts a program in the folder and sends it the signal when wait() returns.
+template <typename Wait>
+int interrupted_status(const Scratch_folder& folder, const int signal, const Wait& wait,
+                       const std::string& name, const std::vector<std::string>& words)
 {
-  const std::string program = std::string(std::getenv("WCS_BIN_DIR")) + "/segment_shape";
+  const std::string program = std::string(std::getenv("WCS_BIN_DIR")) + "/" + name;
   const pid_t child = fork();
   if (child == 0)
   {
@@ -68,7 +69,7 @@ int interrupted_status(const Scratch_folder& folder, const int signal, const int
     execv(program.c_str(), arguments.data());
     _exit(99);
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+  wait();
   kill(child, signal);
   int status = 0;
   waitpid(child, &status, 0);
@@ -266,8 +267,10 @@ BOOST_AUTO_TEST_CASE(an_interruption_leaves_nothing)
   for (const auto& [signal, milliseconds] : std::vector<std::pair<int, int>>{
            {SIGINT, 5}, {SIGINT, 200}, {SIGINT, 600}, {SIGTERM, 300}, {SIGHUP, 300}})
   {
+    const auto wait = [&, milliseconds = milliseconds]
+    { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); };
     const int status = interrupted_status(
-        folder, signal, milliseconds,
+        folder, signal, wait, "segment_shape",
         {"figure.ply", "-o", "a.ply", "--labels", "a.seg", "--split", "parts/of/it", "--quiet"});
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) // a fast machine: it was done before
     {
@@ -282,6 +285,26 @@ BOOST_AUTO_TEST_CASE(an_interruption_leaves_nothing)
     BOOST_TEST(folder.number_of_files() == files);
   }
   BOOST_TEST(in_time >= 3u);
+}
+
+BOOST_AUTO_TEST_CASE(an_interruption_while_writing_leaves_nothing)
+{
+  const Scratch_folder folder;
+  const auto wait = [&] // until there is a file that is not finished, for half a minute at most
+  {
+    for (int i = 0; i < 30000 && folder.number_of_files() == 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    BOOST_TEST(folder.number_of_files() > 0);
+  };
+  for (const auto& [name, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"make_shapes", {"--cloud", "--points", "1000000", "box"}},
+           {"scan_shape", {"-o", "scan.ply", "--views", "8", "--resolution", "700"}}})
+  {
+    const int status = interrupted_status(folder, SIGTERM, wait, name, words);
+    BOOST_TEST(WIFEXITED(status), name);
+    BOOST_TEST(WEXITSTATUS(status) == 1, name);
+    BOOST_TEST(folder.number_of_files() == 0u, name);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_reader_that_goes_away_leaves_nothing)

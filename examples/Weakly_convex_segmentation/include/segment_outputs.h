@@ -4,9 +4,9 @@
 #ifndef SEGMENT_SHAPE_OUTPUTS_H
 #define SEGMENT_SHAPE_OUTPUTS_H
 
+#include "interruption.h"
 #include "part_hulls.h"
 #include "segment_options.h"
-#include "segment_progress.h"
 #include "segment_report.h"
 #include "separate_parts.h"
 #include "shape_io.h"
@@ -85,7 +85,7 @@ public:
   void commit()
   {
     finish();
-    Interruption::check();
+    Program_errors::Interruption::check();
     for (const auto& file : m_files) file->commit();
     if (m_folder) m_folder->commit();
   }

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <chrono>
-#include <csignal>
 #include <cstddef>
 #include <iostream>
 #include <string>
@@ -80,47 +79,6 @@ public:
 private:
   bool m_is_shown;
   int m_percent = -1;
-};
-
-// While it lives, the first interruption from the keyboard or by another program only sets a
-// mark, so that the program can end in order and remove what it has begun to write.
-class Interruption
-{
-public:
-  Interruption()
-  {
-    for (const int signal : signals)
-      if (std::signal(signal, take) == SIG_IGN) std::signal(signal, SIG_IGN); // as nohup wants it
-  }
-  ~Interruption()
-  {
-    for (const int signal : signals)
-      if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
-  }
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
-
-  static bool happened() { return mark() != 0; }
-  // Throws Canceled if it happened.
-  static void check()
-  {
-    if (happened()) throw WCS::Canceled();
-  }
-
-private:
-  static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
-
-  static volatile std::sig_atomic_t& mark()
-  {
-    static volatile std::sig_atomic_t value = 0;
-    return value;
-  }
-
-  static void take(const int signal)
-  {
-    mark() = 1;
-    std::signal(signal, SIG_DFL); // the second one ends the program at once
-  }
 };
 
 } // namespace Segment_shape
