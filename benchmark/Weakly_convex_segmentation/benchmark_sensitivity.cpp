@@ -68,6 +68,7 @@ void add_cost(std::vector<Knob>& knobs, const std::string& name, Merging_cost Pa
   add("larger_closure_weight", &Merging_cost::larger_closure_weight);
   add("seam_extent_weight", &Merging_cost::seam_extent_weight);
   add("diameter_spread_weight", &Merging_cost::diameter_spread_weight);
+  add("continuation_weight", &Merging_cost::continuation_weight);
 }
 
 /// the parameters that both presets use

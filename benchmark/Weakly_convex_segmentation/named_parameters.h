@@ -51,6 +51,7 @@ inline void add_cost(std::map<std::string, Setter>& setters, const std::string& 
   add("larger_closure_weight", &Cost::larger_closure_weight);
   add("seam_extent_weight", &Cost::seam_extent_weight);
   add("diameter_spread_weight", &Cost::diameter_spread_weight);
+  add("continuation_weight", &Cost::continuation_weight);
 }
 
 /// all parameters that are one number; enumerations by their position

@@ -81,7 +81,7 @@ std::map<std::string, Range> ranges()
                                          {"data_weight", {0., 1e6}},
                                          {"smoothness_angle", {1e-3, 180.}}};
   for (const char* term : {"visibility", "concavity", "diameter", "smaller_closure",
-                           "larger_closure", "seam_extent", "diameter_spread"})
+                           "larger_closure", "seam_extent", "diameter_spread", "continuation"})
     result["merging_cost." + std::string(term) + "_weight"] = {0., 1e6};
   return result;
 }
@@ -171,6 +171,7 @@ std::vector<Setting> settings()
           {"merging_cost.larger_closure_weight", "default", "dumbbell", 0.},
           {"merging_cost.seam_extent_weight", "default", "dumbbell", 0.},
           {"merging_cost.diameter_spread_weight", "default", "dumbbell", 0.},
+          {"merging_cost.continuation_weight", "default", "octopus", 0.},
           {"fusion_threshold", "default", "dumbbell", 0.1},
           {"merging_threshold", "default", "dumbbell", 100.},
           {"missing_diameter_distance", "default", "dumbbell", 0., {"diameter_samples=30"}},

@@ -70,7 +70,8 @@ enum class Refinement_rule
 ///
 /// less that of
 /// - the extent of the seam: its longest axis relative to that of the union, in about `[0, 1]`;
-/// - the spread of the diameters of the smaller region: standard deviation of the logarithm.
+/// - the spread of the diameters of the smaller region: standard deviation of the logarithm;
+/// - the continuation: how much the two are pieces of one tube that goes on straight, in `[0, 1]`.
 struct Merging_cost
 {
   double visibility_weight = 0.;
@@ -81,6 +82,7 @@ struct Merging_cost
   double larger_closure_weight = 0.;
   double seam_extent_weight = 0.;
   double diameter_spread_weight = 0.;
+  double continuation_weight = 0.;
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -208,9 +210,9 @@ struct Parameters
   /// @{
 
   /// weights of the cost of a merge
-  Merging_cost merging_cost = {1., 2.17, 0.52, 0.786, 0.387, 0.347, 0.35, 0.453};
+  Merging_cost merging_cost = {1., 2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
   double fusion_threshold = 1.0;    ///< the highest cost at which patches become components
-  double merging_threshold = 1.469; ///< the highest cost at which components become segments
+  double merging_threshold = 1.482; ///< the highest cost at which components become segments
   /// Distance of signatures where one of the regions has no diameter; at least 0.
   double missing_diameter_distance = 0.35;
   /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
@@ -316,6 +318,7 @@ inline void check_cost(const std::string& name, const Merging_cost& cost)
   check("larger_closure_weight", cost.larger_closure_weight, 1e6);
   check("seam_extent_weight", cost.seam_extent_weight, 1e6);
   check("diameter_spread_weight", cost.diameter_spread_weight, 1e6);
+  check("continuation_weight", cost.continuation_weight, 1e6);
 }
 
 } // namespace internal

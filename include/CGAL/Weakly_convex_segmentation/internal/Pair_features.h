@@ -284,7 +284,7 @@ inline void Pair_features::add_costs(const int a, const int b, std::vector<float
   const double leniency = std::pow((std::min)(1., share / 0.03), 0.08);
   add_feature(f, leniency * (1.33 * blindness + 0.55 * concavity + 0.145 * distance));
   add_feature(f, leniency * (0.114 * blindness + 3.05 * concavity + distance));
-  constexpr Merging_cost weights = {1., 2.05, 0.52, 0.75, 0.36, 0.34, 0.35, 0.52};
+  constexpr Merging_cost weights = {1., 2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
   add_feature(f, m_cost(a, b, weights, (std::numeric_limits<double>::max)()));
 }
 

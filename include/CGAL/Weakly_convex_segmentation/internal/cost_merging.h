@@ -64,6 +64,7 @@ private:
     double size = -1.;           ///< of the region when this was measured
     double closure = 0.7;        ///< share of the samples that face their own region
     double diameter_spread = 0.; ///< standard deviation of the logarithm
+    double diameter = 0.;        ///< geometric mean, 0 if unknown
   };
 
   double without_visibility(int a, int b, const Merging_cost& weights) const
@@ -80,7 +81,13 @@ private:
     }
     if (weights.larger_closure_weight > 0.)
       cost += weights.larger_closure_weight * inside_of(b).closure;
-    if (weights.seam_extent_weight > 0.) cost -= weights.seam_extent_weight * seam_extent(a, b);
+    if (weights.seam_extent_weight > 0. || weights.continuation_weight > 0.)
+    {
+      const Seam_axes axes(m_graph.region(a), m_graph.region(b), m_graph.seam(a, b));
+      cost -= weights.seam_extent_weight * axes.seam.lengths[2] / axes.longest_of_union;
+      if (weights.continuation_weight > 0.)
+        cost -= weights.continuation_weight * continuation(a, b, axes);
+    }
     return cost;
   }
 
@@ -92,16 +99,56 @@ private:
     return earth_movers_distance(first, second, m_scale);
   }
 
-  /// length of the seam's longest axis relative to that of the union
-  double seam_extent(const int a, const int b) const
+  /// The axes of a seam, and the longest one of the union of its regions: a standard deviation.
+  struct Seam_axes
+  {
+    Axes seam;
+    double longest_of_union;
+
+    Seam_axes(const Region& first, const Region& second, const Seam& of)
+      : seam(of.shape.position, of.shape.position_squares, 2. * of.edges),
+        longest_of_union(longest_axis(first.shape.position + second.shape.position,
+                                      first.shape.position_squares + second.shape.position_squares,
+                                      first.size + second.size))
+    {}
+  };
+
+  /// How much two regions are pieces of one tube, in [0, 1]. People do not cut a limb where it goes on
+  /// straight, though its pieces hardly see each other and each is complete but for its ends.
+  double continuation(const int a, const int b, const Seam_axes& axes) const
   {
     const Region &first = m_graph.region(a), &second = m_graph.region(b);
-    const Seam& seam = m_graph.seam(a, b);
-    const double seam_axis =
-        longest_axis(seam.shape.position, seam.shape.position_squares, 2. * seam.edges);
-    return seam_axis / longest_axis(first.shape.position + second.shape.position,
-                                    first.shape.position_squares + second.shape.position_squares,
-                                    first.size + second.size);
+    const double diameter_a = inside_of(a).diameter, diameter_b = inside_of(b).diameter;
+    if (!(diameter_a > 0. && diameter_b > 0.)) return 0.;
+    const Double3& lengths = axes.seam.lengths;
+    const double slenderness = 1. - lengths[2] / axes.longest_of_union;
+    const double straightness =
+        dot(unit_vector(axes.seam.center - first.shape.position / first.size),
+            unit_vector(second.shape.position / second.size - axes.seam.center));
+    if (!(slenderness > 0. && straightness > 0.)) return 0.;
+    // the seam is a ring that is as wide as the tube on either side: a circle deviates by its radius
+    // over the root of two along both axes
+    const double roundness = lengths[1] / lengths[2];
+    const double width = std::sqrt(8. * lengths[1] * lengths[2]);
+    const double fit =
+        std::exp(-std::abs(std::log(width / diameter_a)) - std::abs(std::log(width / diameter_b)));
+    const double seam_length = m_graph.seam(a, b).shape.length;
+    return slenderness * straightness * roundness * roundness * fit * fit *
+           tubularity(a, seam_length) * tubularity(b, seam_length);
+  }
+
+  /// How much a region is a tube of which the seam is an end, in [0, 1]: all normals are across some axis,
+  /// and the border has room for one more such end, but not for the branches of a joint.
+  double tubularity(const int r, const double seam_length) const
+  {
+    constexpr double most_ends = 2.5;
+    double border = 0.;
+    for (const auto& entry : m_graph.seams(r)) border += entry.second.shape.length;
+    const double unbranched = (std::min)(1., (std::max)(0., 1. + most_ends - border / seam_length));
+    if (unbranched == 0.) return 0.;
+    const Region& region = m_graph.region(r);
+    const Principal_axes normals(region.shape.normal_squares / region.size);
+    return unbranched * (std::max)(0., 1. - 3. * normals.values().x); // a third for a sphere
   }
 
   const Inside& inside_of(const int r) const
@@ -128,8 +175,11 @@ private:
     inside.size = region.size;
     if (!region.samples.empty()) inside.closure = own / static_cast<double>(region.samples.size());
     if (measured > 0.)
+    {
+      inside.diameter = std::exp(sum / measured);
       inside.diameter_spread =
           std::sqrt((std::max)(0., squares / measured - sum * sum / (measured * measured)));
+    }
     return inside;
   }
 

@@ -25,7 +25,7 @@ namespace internal {
 /// alone err on kinds of shape that they never saw; with the prior they do so less.
 inline double hand_made_vote(const std::vector<float>& features)
 {
-  constexpr double threshold = 1.4, certain = 0.5;
+  constexpr double threshold = 1.43, certain = 0.5;
   const double vote = (threshold - static_cast<double>(features.back())) / certain;
   return (std::max)(-1., (std::min)(1., vote));
 }
