@@ -169,8 +169,9 @@ BOOST_AUTO_TEST_CASE(fewer_segments_can_be_asked_for)
 
 BOOST_AUTO_TEST_CASE(the_segments_are_steadier_than_those_of_one_set)
 {
-  double of_one = 0., of_five = 0.;
-  for (const char* name : {"hand", "four_leg", "figure", "pliers"})
+  double of_one = 0., of_three = 0.;
+  const auto shapes = {"two_spheres", "cup", "hand", "four_leg", "figure", "airplane", "octopus"};
+  for (const char* name : shapes) // a single one may be worse by chance
   {
     const auto mesh = Shape_generator::make_mesh(name, 5000);
     const auto change = [&](const std::size_t sets)
@@ -189,9 +190,9 @@ BOOST_AUTO_TEST_CASE(the_segments_are_steadier_than_those_of_one_set)
       return sum / 6.;
     };
     of_one += change(1);
-    of_five += change(5);
+    of_three += change(3);
   }
-  BOOST_TEST_MESSAGE("change with the seed: " << of_one / 4. << " of one set, " << of_five / 4.
-                                              << " of five");
-  BOOST_CHECK_LT(of_five, of_one);
+  BOOST_TEST_MESSAGE("change with the seed: " << of_one / 7. << " of one set, " << of_three / 7.
+                                              << " of three");
+  BOOST_CHECK_LT(of_three, of_one);
 }
