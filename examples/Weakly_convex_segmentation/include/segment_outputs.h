@@ -58,6 +58,7 @@ public:
   void write(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
   {
     if (m_parts) write_shape(*m_parts, m_options.parts_file, shape, parts, m_options.ascii);
+    Program_errors::Interruption::check(); // a large shape takes seconds a file
     if (m_labels) Shape_io::write_labels(m_labels->stream(), parts.labels);
     if (m_hulls) write_hulls(shape, parts);
     if (m_folder) write_separate_parts(shape, parts);
@@ -120,6 +121,7 @@ private:
       own.labels.push_back(parts.labels[i]);
       own.quality.push_back(parts.quality[i]);
     }
+    Program_errors::Interruption::check();
     const std::string path = m_folder->path_of_part(name);
     const File file = open(path);
     write_shape(*file, path, Shape_io::shape_of_elements(shape, elements), own, m_options.ascii);
