@@ -144,11 +144,11 @@ void segment_scene(const Files& files, const Scene_objects::Options& options)
     write_stats(scene, measured.number_of_gaps(), seconds, stats.emplace(files.stats).stream());
   if (parts) parts->finish();
   if (stats) stats->finish();
+  interruption.check();
   std::cout << scene.parts_of.size() << " objects of " << scene.number_of_parts << " parts in "
             << seconds << " seconds\n";
   // all or none: nothing takes its place before all is written
   Program_errors::flush_standard_output();
-  interruption.check();
   if (parts) parts->commit();
   if (stats) stats->commit();
 }

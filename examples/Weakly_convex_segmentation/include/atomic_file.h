@@ -4,6 +4,7 @@
 #ifndef SHAPE_IO_ATOMIC_FILE_H
 #define SHAPE_IO_ATOMIC_FILE_H
 
+#include "interruption.h"
 #include "shape.h"
 
 #include <filesystem>
@@ -111,7 +112,11 @@ public:
     std::error_code error;
     if (path != "-" &&
         (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error)))
+    {
+      const Program_errors::Interruption interruption; // the file is there for a moment
       const Atomic_file file(path);
+    }
+    Program_errors::Interruption::check();
   }
 
   std::ostream& stream() { return m_is_standard ? std::cout : m_stream; }

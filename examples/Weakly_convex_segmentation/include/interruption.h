@@ -36,7 +36,7 @@ public:
     if (happened()) throw std::runtime_error(message());
   }
 
-  static const char* message() { return "interrupted, nothing was written; start it again"; }
+  static const char* message() { return "interrupted, no unfinished file is left; start it again"; }
 
 private:
   static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
