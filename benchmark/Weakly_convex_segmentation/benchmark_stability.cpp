@@ -4,8 +4,10 @@
 // How much the parts change with what should not matter: 1 - Rand Index between the labels of one shape
 // and those of the same shape after a change of seed, order, pose, scale, noise or sampling.
 //
-//   benchmark_stability DATA_DIR [--preset default|paper|fitted] [--per-category N]
+//   benchmark_stability DATA_DIR [--preset default|paper|fitted] [--set NAME=VALUE] [--per-category N]
+//                       [--points]
 
+#include "named_parameters.h"
 #include "shape_variants.h"
 
 #include <boost/program_options.hpp>
@@ -127,14 +129,22 @@ Raw_points doubled(const SM::Mesh& mesh)
   return Shape_variants::kept_centroids(whole, std::vector<char>(halves.faces.size(), 1)).raw;
 }
 
+/// the elements of a mesh as they are segmented: faces, or their centroids without the mesh
+Raw_points read_elements(const SM::Mesh& mesh, const bool points_only)
+{
+  Raw_points raw = Shape_variants::read_raw(mesh);
+  if (!points_only) return raw;
+  return Shape_variants::kept_centroids(raw, std::vector<char>(mesh.faces.size(), 1)).raw;
+}
+
 const std::vector<std::string> changes = {"seed",       "order",      "motion", "scale",
                                           "noise_edge", "noise_diag", "half",   "double"};
 
 /// distances of the labels after each of the changes
 std::vector<double> distances(const SM::Mesh& mesh, const WCS::Parameters& parameters,
-                              std::mt19937& random)
+                              const bool points_only, std::mt19937& random)
 {
-  using Shape_variants::read_raw;
+  const auto read_raw = [points_only](const SM::Mesh& m) { return read_elements(m, points_only); };
   const std::vector<int> base = labels_of(read_raw(mesh), parameters);
   const auto distance_of = [&](const SM::Mesh& other)
   { return distance_of_labels(base, labels_of(read_raw(other), parameters)); };
@@ -198,7 +208,8 @@ void print_row(const std::string& name, const std::vector<double>& values, const
   std::fflush(stdout);
 }
 
-void run(const std::filesystem::path& data, const WCS::Parameters& parameters, const int models)
+void run(const std::filesystem::path& data, const WCS::Parameters& parameters, const int models,
+         const bool points_only)
 {
   std::printf("%-10s", "");
   for (const std::string& change : changes) std::printf(" %10s", change.c_str());
@@ -216,7 +227,7 @@ void run(const std::filesystem::path& data, const WCS::Parameters& parameters, c
       if (!SM::is_in_benchmark(n) || SM::category_of_model(n) != c ||
           !std::filesystem::exists(path))
         continue;
-      const auto of_model = distances(SM::read_off(path), parameters, random);
+      const auto of_model = distances(SM::read_off(path), parameters, points_only, random);
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += of_model[i];
       ++count;
     }
@@ -239,11 +250,14 @@ int main(int argc, char** argv)
   {
     std::filesystem::path data;
     std::string preset_name;
+    std::vector<std::string> settings;
     int models = 1;
     po::options_description options("benchmark_stability DATA_DIR [options]");
     options.add_options()("help", "print this")(
         "preset", po::value(&preset_name)->default_value("default"),
         "default, paper or fitted")("per-category", po::value(&models), "models a category (1)")(
+        "set", po::value(&settings)->composing(), "NAME=VALUE of a parameter; may be repeated")(
+        "points", "segment the centroids of the faces, without the mesh")(
         "data", po::value(&data)->required(), "folder that holds off/");
     po::positional_options_description positional;
     positional.add("data", 1);
@@ -256,7 +270,9 @@ int main(int argc, char** argv)
       return 0;
     }
     po::notify(map);
-    run(data, preset(preset_name), models);
+    WCS::Parameters parameters = preset(preset_name);
+    for (const std::string& s : settings) Named_parameters::set_parameter(parameters, s);
+    run(data, parameters, models, map.count("points") > 0);
     return 0;
   }
   catch (const std::exception& error)

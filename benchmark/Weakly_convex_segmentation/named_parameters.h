@@ -61,6 +61,7 @@ inline std::map<std::string, Setter> setters()
   std::map<std::string, Setter> result = {
       {"number_of_neighbors", setter(&P::number_of_neighbors)},
       {"number_of_representatives", setter(&P::number_of_representatives)},
+      {"link_across_lines", setter(&P::link_across_lines)},
       {"use_mesh_adjacency", setter(&P::use_mesh_adjacency)},
       {"face_sampling_factor", setter(&P::face_sampling_factor)},
       {"flip_inward_normals", setter(&P::flip_inward_normals)},
@@ -76,6 +77,7 @@ inline std::map<std::string, Setter> setters()
       {"disk_radius_factor", setter(&P::disk_radius_factor)},
       {"clearance_factor", setter(&P::clearance_factor)},
       {"noise_tolerance", setter(&P::noise_tolerance)},
+      {"mesh_noise_tolerance", setter(&P::mesh_noise_tolerance)},
       {"grazing_tolerance", setter(&P::grazing_tolerance)},
       {"outside_tolerance", setter(&P::outside_tolerance)},
       {"rays_for_early_decision", setter(&P::rays_for_early_decision)},

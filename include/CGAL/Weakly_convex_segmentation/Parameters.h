@@ -114,12 +114,19 @@ struct Parameters
   bool flip_inward_normals = true;
   /// whether the faces of a mesh count as neighbors where they share an edge
   bool use_mesh_adjacency = true;
+  /// Whether points without a mesh whose nearest neighbors all lie along one line, as those of a laser
+  /// scanner do, are also neighbors of the nearest points beside it.
+  bool link_across_lines = true;
   /// seed of all random choices; any value
   unsigned int seed = 0;
   /// The points are smoothed where noise turns the normals of neighbors by more degrees: where most
   /// points have convex and concave edges in equal measure; `[0, 180]`, with 180 never. The positions
   /// that are given stay as they are.
   double noise_tolerance = 2.5;
+  /// The vertices of a mesh are smoothed, before all else, where noise turns the normals of faces that
+  /// share an edge by more degrees: where the median face has convex and concave edges in equal measure;
+  /// `[0, 180]`, with 180 never. The positions that are given stay as they are.
+  double mesh_noise_tolerance = 4.6;
 
   /// @}
   /// \name Patches (section 4)
@@ -271,8 +278,10 @@ inline Parameters Parameters::paper()
   p.face_sampling_factor = 0.; // section 6: one point a face
   p.number_of_representatives = 20000;
   p.noise_tolerance = 180.;
+  p.mesh_noise_tolerance = 180.;
   p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
-  p.number_of_patches = 100;    // silent; the trial of the method used 100
+  p.link_across_lines = false;
+  p.number_of_patches = 100; // silent; the trial of the method used 100
   p.number_of_patch_sets = 1;
   p.patch_concavity_tolerance = 0.;
   p.grazing_tolerance = 0.; // section 3: every disk on the line occludes it
@@ -332,6 +341,7 @@ inline void Parameters::check() const
   check("face_sampling_factor", face_sampling_factor, 0., 1000.);
   check("minimum_face_samples", minimum_face_samples, 0., 1e6);
   check("noise_tolerance", noise_tolerance, 0., 180.);
+  check("mesh_noise_tolerance", mesh_noise_tolerance, 0., 180.);
   check("number_of_patches", number_of_patches, 1., 1000.);
   check("number_of_patch_sets", number_of_patch_sets, 1., 100.);
   check("number_of_supervoxels", number_of_supervoxels, 1., 20000.);

@@ -62,7 +62,8 @@ inline void estimate_normals(Raw_points& raw, const Run_control& control)
   Oriented_points points = orient_points(raw, parallel, control);
   const std::size_t n = points.size();
   std::vector<float> spacing;
-  std::vector<Index> nearest = nearest_neighbors(points, neighbors, spacing, parallel, control);
+  std::vector<Index> nearest = nearest_neighbors(points, Nearest_points(points.positions),
+                                                 neighbors, spacing, parallel, control);
   control.check();
   Unoriented_points shape{points, std::vector<float>(n, 0.f), std::move(nearest), neighbors};
   parallel_for(n, parallel,

@@ -83,8 +83,8 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
 
   Oriented_points points = sub_points(shape.input, near_border);
   if (!parameters.use_mesh_adjacency) points.links.clear();
-  Neighbor_graph graph =
-      build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel);
+  Neighbor_graph graph = build_neighbor_graph(points, parameters.number_of_neighbors,
+                                              control.parallel, parameters.link_across_lines);
   if (shape.is_smoothed) smooth_noise(radians(parameters.noise_tolerance), graph, points);
   control.check();
   std::vector<int> band_labels;

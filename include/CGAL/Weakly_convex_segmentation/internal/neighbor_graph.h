@@ -6,6 +6,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/Nearest_points.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
+#include <CGAL/Weakly_convex_segmentation/internal/links_across_lines.h>
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
@@ -63,12 +64,12 @@ inline float signed_concavity(const Oriented_points& points, const Index i, cons
 }
 
 /// fills the `k` nearest other points of each point; rows of fewer points end with the point itself.
-inline std::vector<Index> nearest_neighbors(const Oriented_points& points, const std::size_t k,
+inline std::vector<Index> nearest_neighbors(const Oriented_points& points,
+                                            const Nearest_points& tree, const std::size_t k,
                                             std::vector<float>& spacing, const bool parallel,
                                             const Run_control& control = {})
 {
   const std::size_t n = points.size();
-  const Nearest_points tree(points.positions);
   std::vector<Index> nearest(n * k);
   spacing.assign(n, 0.f);
   parallel_for(n, parallel,
@@ -112,21 +113,21 @@ struct Neighbor_rows
 };
 
 /// returns who has a point among its nearest, and the ends of its links: of each point, ascending.
-inline Neighbor_rows incoming_neighbors(const Oriented_points& points,
-                                        const std::vector<Index>& nearest, const std::size_t k)
+inline Neighbor_rows incoming_neighbors(const std::vector<std::array<Index, 2>>& links,
+                                        const std::vector<Index>& nearest, const std::size_t n,
+                                        const std::size_t k)
 {
-  const std::size_t n = points.size();
   Neighbor_rows rows;
   rows.first.assign(n + 1, 0);
   for (std::size_t j = 0; j < nearest.size(); ++j) ++rows.first[nearest[j] + 1];
-  for (const auto& link : points.links) ++rows.first[link[0] + 1], ++rows.first[link[1] + 1];
+  for (const auto& link : links) ++rows.first[link[0] + 1], ++rows.first[link[1] + 1];
   for (std::size_t i = 0; i < n; ++i) rows.first[i + 1] += rows.first[i];
   rows.ends.resize(rows.first[n]);
   std::vector<std::size_t> fill(rows.first.begin(), rows.first.end() - 1);
   for (std::size_t j = 0; j < nearest.size(); ++j)
     rows.ends[fill[nearest[j]]++] = static_cast<Index>(j / k);
-  for (const auto& [a, b] : points.links) rows.ends[fill[a]++] = b, rows.ends[fill[b]++] = a;
-  if (!points.links.empty())
+  for (const auto& [a, b] : links) rows.ends[fill[a]++] = b, rows.ends[fill[b]++] = a;
+  if (!links.empty())
     for (std::size_t i = 0; i < n; ++i)
       std::sort(rows.ends.begin() + rows.first[i], rows.ends.begin() + rows.first[i + 1]);
   return rows;
@@ -156,15 +157,21 @@ void for_each_neighbor(const std::vector<Index>& nearest, const std::size_t k,
 
 /// builds the union of both directions of the k nearest neighbors and of the points' links.
 ///
-/// `points` is changed only where it has no normal. Complexity: O(n log n).
+/// `points` is changed only where it has no normal. `across_lines`: whether points without links are linked
+/// to the lines of points beside their own, see `links_across_lines()`. Complexity: O(n log n).
 inline Neighbor_graph build_neighbor_graph(Oriented_points& points, const std::size_t k,
-                                           const bool parallel)
+                                           const bool parallel, const bool across_lines = false)
 {
   Neighbor_graph graph;
   const std::size_t n = points.size();
-  const std::vector<Index> nearest = nearest_neighbors(points, k, graph.spacing, parallel);
+  const Nearest_points tree(points.positions);
+  const std::vector<Index> nearest = nearest_neighbors(points, tree, k, graph.spacing, parallel);
   fill_missing_normals(points, nearest, k);
-  const Neighbor_rows incoming = incoming_neighbors(points, nearest, k);
+  const bool is_cloud = points.links.empty();
+  const Neighbor_rows incoming = incoming_neighbors(
+      across_lines && is_cloud ? links_across_lines(points, tree, nearest, k, parallel)
+                               : points.links,
+      nearest, n, k);
 
   graph.first.assign(n + 1, 0);
   parallel_for(n, parallel,

@@ -8,6 +8,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/coordinates.h>
 #include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+#include <CGAL/Weakly_convex_segmentation/internal/polygons.h>
 #include <CGAL/Weakly_convex_segmentation/internal/soup_orientation.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -95,11 +96,6 @@ public:
             CGAL::to_double(m_traits.compute_z_3_object()(v))};
   }
 };
-
-inline Coordinates operator-(const Coordinates& a, const Coordinates& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
 
 template <typename NamedParameters, typename Tag>
 constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
@@ -192,44 +188,6 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
     estimate_normals(raw, control);
   }
   return raw;
-}
-
-/// adds centroid and area vector (of twice the area) of a polygon.
-inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_points& raw)
-{
-  Coordinates centroid = {0., 0., 0.}, normal = {0., 0., 0.};
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    for (int c = 0; c < 3; ++c) centroid[c] += polygon[i][c] / static_cast<double>(polygon.size());
-    const Coordinates a = polygon[i] - polygon[0];
-    const Coordinates b = polygon[(i + 1) % polygon.size()] - polygon[0];
-    normal[0] += a[1] * b[2] - a[2] * b[1];
-    normal[1] += a[2] * b[0] - a[0] * b[2];
-    normal[2] += a[0] * b[1] - a[1] * b[0];
-  }
-  raw.positions.push_back(centroid);
-  raw.normals.push_back(normal);
-  if (raw.first_corner.empty()) raw.first_corner.push_back(0);
-  raw.corners.insert(raw.corners.end(), polygon.begin(), polygon.end());
-  raw.first_corner.push_back(raw.corners.size());
-}
-
-/// adds the polygons again, about of size 1, if their coordinates are of an unusual magnitude.
-inline void scale_polygons(Raw_points& raw)
-{
-  raw.exponent = unusual_exponent(raw.corners);
-  if (raw.exponent == 0) return;
-  const std::vector<Coordinates> corners = std::move(raw.corners);
-  const std::vector<std::size_t> first = std::move(raw.first_corner);
-  raw.positions.clear(), raw.normals.clear(), raw.corners.clear(), raw.first_corner.clear();
-  std::vector<Coordinates> polygon;
-  for (std::size_t f = 0; f + 1 < first.size(); ++f)
-  {
-    polygon.clear();
-    for (std::size_t i = first[f]; i < first[f + 1]; ++i)
-      polygon.push_back(scaled(corners[i], -raw.exponent));
-    add_polygon(polygon, raw);
-  }
 }
 
 /// reads a mesh as one point a face (section 6): centroid, normal, and links between faces that

@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SHAPE_ANALYSIS_H
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/mesh_noise.h>
 #include <CGAL/Weakly_convex_segmentation/internal/mesh_samples.h>
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/noise.h>
@@ -62,10 +63,14 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
   control.stage(Stage::SAMPLING,
                 [&]
                 {
-                  Raw_points sampled;
-                  const bool has_more = sample_faces(raw, parameters, sampled);
+                  Raw_points sampled, smoothed;
+                  const bool is_rough =
+                      smooth_mesh(raw, radians(parameters.mesh_noise_tolerance), control, smoothed);
+                  const Raw_points& faces = is_rough ? smoothed : raw;
+                  const bool has_more = sample_faces(faces, parameters, sampled);
                   control.check();
-                  shape->input = orient_points(has_more ? sampled : raw, control.parallel, control);
+                  shape->input =
+                      orient_points(has_more ? sampled : faces, control.parallel, control);
                   control.check();
                   shape->representatives = choose_representatives(
                       shape->input, parameters.number_of_representatives, control.parallel);
@@ -82,9 +87,9 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
   control.stage(Stage::NEIGHBORS,
                 [&]
                 {
-                  shape->graph =
-                      build_neighbor_graph(shape->representatives.points,
-                                           parameters.number_of_neighbors, control.parallel);
+                  shape->graph = build_neighbor_graph(
+                      shape->representatives.points, parameters.number_of_neighbors,
+                      control.parallel, parameters.link_across_lines);
                   shape->is_smoothed =
                       smooth_noise(radians(parameters.noise_tolerance), shape->graph,
                                    shape->representatives.points) > 0;
