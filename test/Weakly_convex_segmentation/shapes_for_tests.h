@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_TEST_SHAPES_FOR_TESTS_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
+#include <CGAL/Weakly_convex_segmentation/internal/polygons.h>
 
 #include "shape_generator.h"
 
@@ -61,6 +62,45 @@ inline Raw_points points_of_mesh(const Shape_generator::Labeled_mesh& mesh)
       if (!slot.second) raw.links.push_back({slot.first->second, index});
     }
   }
+  return raw;
+}
+
+/// the same with the corners of the faces
+inline Raw_points faces_of_mesh(const Shape_generator::Labeled_mesh& mesh)
+{
+  Raw_points raw;
+  for (const auto& f : mesh.faces)
+    CGAL::Weakly_convex_segmentation::internal::add_polygon(
+        {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]}, raw);
+  raw.links = points_of_mesh(mesh).links;
+  return raw;
+}
+
+/// the mesh with each coordinate of its vertices changed by at most `size`
+inline Shape_generator::Labeled_mesh shaken(Shape_generator::Labeled_mesh mesh, const double size,
+                                            const unsigned int seed)
+{
+  std::mt19937 random(seed);
+  for (auto& p : mesh.points)
+    for (double& c : p) c += size * (2. * uniform(random) - 1.);
+  return mesh;
+}
+
+/// Points in rings about the x axis, as the faces of a turned part lie: pairs of rings 0.02 apart with
+/// 0.2 to the next pair, 120 points each. `radius`: that at an x from 0 to `length`.
+template <typename Radius>
+Raw_points rings(const double length, const Radius& radius)
+{
+  Raw_points raw;
+  const int pairs = static_cast<int>(length / 0.2);
+  for (int ring = 0; ring < 2 * pairs; ++ring)
+    for (int i = 0; i < 120; ++i)
+    {
+      const double x = 0.2 * (ring / 2) + 0.02 * (ring % 2);
+      const double turn = 6.283185307179586 * (i + 0.5 * (ring % 2)) / 120.;
+      const Coordinates n = {0., std::cos(turn), std::sin(turn)};
+      add_point(raw, plus({x, 0., 0.}, n, radius(x)), n);
+    }
   return raw;
 }
 

@@ -5,6 +5,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
 
 #include "shapes_for_tests.h"
@@ -389,4 +390,58 @@ BOOST_AUTO_TEST_CASE(missing_normals_come_from_the_neighbors)
   build_neighbor_graph(points, 10, false);
   for (const Vector3& n : points.normals)
     BOOST_CHECK_SMALL(length(n - Vector3{0.f, 1.f, 0.f}), 1e-5f);
+}
+
+BOOST_AUTO_TEST_CASE(rings_of_points_are_one_graph)
+{
+  const auto pieces = [](const Neighbor_graph& graph)
+  {
+    std::vector<char> seen(graph.size(), 0);
+    std::size_t count = 0;
+    for (Index first = 0; first < graph.size(); ++first)
+    {
+      if (seen[first] != 0) continue;
+      ++count;
+      std::vector<Index> pending = {first};
+      seen[first] = 1;
+      while (!pending.empty())
+      {
+        const Index i = pending.back();
+        pending.pop_back();
+        for (const Neighbor& edge : graph[i])
+          if (seen[edge.point] == 0) seen[edge.point] = 1, pending.push_back(edge.point);
+      }
+    }
+    return count;
+  };
+  Oriented_points points = orient_points(rings(4., [](const double) { return 0.8; }));
+  BOOST_CHECK_EQUAL(pieces(build_neighbor_graph(points, 10, false)), 20u);
+  const Neighbor_graph graph = build_neighbor_graph(points, 10, false, true);
+  BOOST_CHECK_EQUAL(pieces(graph), 1u);
+  BOOST_CHECK(is_well_formed(graph));
+
+  // points that are spread evenly have neighbors on all sides already, and other bodies stay apart
+  Raw_points raw;
+  add_sphere(raw, {0., 0., 0.}, 1., 3000);
+  add_sphere(raw, {2.06, 0., 0.}, 1., 3000);
+  Oriented_points spheres = orient_points(raw);
+  const Neighbor_graph usual = build_neighbor_graph(spheres, 10, false);
+  const Neighbor_graph linked = build_neighbor_graph(spheres, 10, false, true);
+  BOOST_CHECK_EQUAL(pieces(linked), pieces(usual));
+  BOOST_CHECK_LT(linked.neighbors.size(), usual.neighbors.size() * 101 / 100);
+}
+
+BOOST_AUTO_TEST_CASE(a_turned_part_in_rings_has_the_parts_of_the_shape)
+{
+  // a thick and a thin cylinder, open at their ends
+  const auto radius = [](const double x) { return x < 1.99 ? 1. : 0.4; };
+  const Raw_points raw = rings(4., radius);
+  CGAL::Weakly_convex_segmentation::Parameters parameters;
+  parameters.number_of_patches = 40;
+  const auto labels = segment_points(raw, parameters, {}).labels;
+  std::vector<int> wanted;
+  for (const auto& p : raw.positions) wanted.push_back(p[0] < 1.99 ? 0 : 1);
+  BOOST_CHECK_LT(rand_distance(labels, wanted), 0.05);
+  parameters.link_across_lines = false;
+  BOOST_CHECK_GT(rand_distance(segment_points(raw, parameters, {}).labels, wanted), 0.3);
 }

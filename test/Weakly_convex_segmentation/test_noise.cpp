@@ -9,9 +9,13 @@
 
 #include "shapes_for_tests.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,15 +52,6 @@ Raw_points with_noise(Raw_points raw, const double positions, const double norma
   for (auto& n : raw.normals)
     n = {n[0] + number(normals), n[1] + number(normals), n[2] + number(normals)};
   return raw;
-}
-
-Shape_generator::Labeled_mesh noisy_mesh(const std::string& name, const double size)
-{
-  auto mesh = Shape_generator::make_mesh(name, 6000);
-  std::mt19937 random(4);
-  for (auto& p : mesh.points)
-    for (double& c : p) c += size * (2. * uniform(random) - 1.);
-  return mesh;
 }
 
 /// mean angle in degrees to the normals of a sphere about the origin, and mean distance to it
@@ -112,6 +107,63 @@ BOOST_AUTO_TEST_CASE(a_rough_sphere_becomes_a_smooth_one)
     }
 }
 
+BOOST_AUTO_TEST_CASE(noise_shows_in_positions_where_it_spares_the_normals)
+{
+  Raw_points raw;
+  add_sphere(raw, {0., 0., 0.}, 1., 4000);
+  Surface clean(raw);
+  BOOST_CHECK_LT(contradiction(clean.graph, clean.points), 0.1f * Surface::tolerance());
+  Surface surface(with_noise(raw, 0.03, 0., 3));
+  const float radius = static_cast<float>(1. / surface.points.extent);
+  const double away = errors_on_sphere(surface.points, radius).second;
+  BOOST_CHECK_LT(roughness(surface.graph), Surface::tolerance());
+  BOOST_CHECK_GT(contradiction(surface.graph, surface.points), 4.f * Surface::tolerance());
+  BOOST_CHECK_GT(surface.smooth(), 0u);
+  BOOST_CHECK_LT(errors_on_sphere(surface.points, radius).second, 0.6 * away);
+  BOOST_CHECK_LT(contradiction(surface.graph, surface.points), 4.f * Surface::tolerance());
+}
+
+BOOST_AUTO_TEST_CASE(crumpled_points_are_thinned_to_two_sides)
+{
+  // the two sides of a plate, mixed by noise; normals that are wrong by 45 degrees and often more
+  Raw_points raw;
+  const int n = 170;
+  const double step = 1. / n;
+  add_rectangle(raw, {0., 0., 0.}, {step, 0., 0.}, {0., step, 0.}, n, n, {0., 0., -1.});
+  add_rectangle(raw, {0., 0., 0.01}, {step, 0., 0.}, {0., step, 0.}, n, n, {0., 0., 1.});
+  const std::vector<Coordinates> given = raw.normals;
+  const Oriented_points points = orient_points(with_noise(raw, 0.01, 1., 5));
+  const auto counted = [&points](const Representatives& chosen)
+  {
+    std::map<std::uint64_t, std::set<Index>> in_voxel;
+    const float side = voxel_side(points, 4000);
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      auto& of_voxel = in_voxel[voxel_key(points.positions[i], side)];
+      of_voxel.insert(chosen.of_point[i]);
+      most = (std::max)(most, of_voxel.size());
+    }
+    return most;
+  };
+  BOOST_CHECK_GT(counted(choose_representatives(points, 4000)), 3u);
+  const Representatives chosen = choose_representatives(points, 4000, false, true);
+  BOOST_CHECK_EQUAL(counted(chosen), 2u);
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const float z = static_cast<float>(given[points.elements[i]][2]);
+    right += z * chosen.points.normals[chosen.of_point[i]].z > 0.5f ? 1 : 0;
+  }
+  BOOST_CHECK_GT(right, points.size() * 9 / 10);
+
+  // a shape without noise is thinned as ever
+  const Oriented_points smooth =
+      orient_points(points_of_mesh(Shape_generator::make_mesh("hand", 12000)));
+  BOOST_CHECK(choose_representatives(smooth, 3000, false, true).of_point ==
+              choose_representatives(smooth, 3000).of_point);
+}
+
 BOOST_AUTO_TEST_CASE(the_sides_of_a_thin_plate_stay_apart)
 {
   Raw_points raw;
@@ -139,7 +191,7 @@ BOOST_AUTO_TEST_CASE(parts_of_a_rough_mesh_are_those_of_the_smooth_one)
     BOOST_TEST_CONTEXT(name)
     {
       const auto smooth = points_of_mesh(Shape_generator::make_mesh(name, 6000));
-      const auto rough = points_of_mesh(noisy_mesh(name, 0.006));
+      const auto rough = points_of_mesh(shaken(Shape_generator::make_mesh(name, 6000), 0.006, 4));
       Parameters parameters;
       const auto wanted = segment_points(smooth, parameters, {}).labels;
       BOOST_CHECK_LT(rand_distance(segment_points(rough, parameters, {}).labels, wanted), 0.06);

@@ -58,6 +58,7 @@ std::map<std::string, Range> ranges()
                                          {"disk_radius_factor", {1e-6, 10.}},
                                          {"clearance_factor", {0., 100.}},
                                          {"noise_tolerance", {0., 180.}},
+                                         {"mesh_noise_tolerance", {0., 180.}},
                                          {"grazing_tolerance", {0., 89.}},
                                          {"outside_tolerance", {0., 90.}},
                                          {"signature_threshold", {0., 1.}},
@@ -146,6 +147,8 @@ std::vector<Setting> settings()
           {"disk_radius_factor", "default", "dumbbell", 3.},
           {"clearance_factor", "default", "dumbbell", 10.},
           {"noise_tolerance", "default", "rough dumbbell", 180.},
+          {"mesh_noise_tolerance", "default", "rough mesh", 180.},
+          {"link_across_lines", "default", "rings", 0.},
           {"grazing_tolerance", "default", "dumbbell", 30.},
           {"outside_tolerance", "default", "dumbbell", 2.},
           {"rays_for_early_decision", "default", "dumbbell", 2.},
@@ -224,6 +227,14 @@ const Raw_points& shape(const std::string& name)
   if (name == "long triangles")
   {
     slot->second = long_prism();
+    return slot->second;
+  }
+  if (name == "rough mesh" || name == "rings")
+  {
+    slot->second =
+        name == "rings"
+            ? rings(4., [](const double) { return 0.8; })
+            : faces_of_mesh(shaken(Shape_generator::make_mesh("dumbbell", 3000), 0.03, 1));
     return slot->second;
   }
   const bool is_stretched = name == "stretched dumbbell"; // neighbors across long edges are far

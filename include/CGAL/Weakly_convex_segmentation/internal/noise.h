@@ -8,6 +8,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -42,6 +43,28 @@ inline float roughness(const Neighbor_graph& graph)
   return of_point.empty() ? 0.f : *quartile;
 }
 
+/// returns how far positions and normals of neighbors contradict each other, in radians: the lower quartile
+/// over the points of the mean angle between an edge and the plane across the mean normal of its ends. It
+/// is 0 on planes, spheres and cylinders, however coarse, also where noise has spared the normals.
+inline float contradiction(const Neighbor_graph& graph, const Oriented_points& points)
+{
+  std::vector<float> of_point(graph.size(), 0.f);
+  for (Index i = 0; i < graph.size(); ++i)
+  {
+    float sum = 0.f;
+    for (const Neighbor& edge : graph[i])
+    {
+      const Vector3 along = points.positions[edge.point] - points.positions[i];
+      const Vector3 normals = points.normals[i] + points.normals[edge.point];
+      if (edge.length > 0.f) sum += 0.5f * std::abs(dot(normals, along)) / edge.length;
+    }
+    if (graph[i].size() > 0) of_point[i] = sum / static_cast<float>(graph[i].size());
+  }
+  const auto quartile = of_point.begin() + static_cast<std::ptrdiff_t>(of_point.size() / 4);
+  std::nth_element(of_point.begin(), quartile, of_point.end());
+  return of_point.empty() ? 0.f : *quartile;
+}
+
 /// gives each point the mean normal of itself and its neighbors, and moves it along that normal into their
 /// mean plane. Neighbors whose product of normals with the point's is at most `other_side` do not count:
 /// they are of the other side of a thin part.
@@ -67,15 +90,18 @@ inline void smooth_once(const Neighbor_graph& graph, const float other_side,
   points.positions = std::move(positions);
 }
 
-/// smooths the points while the normals are rougher than `tolerance`, in radians, and renews the graph's
-/// lengths and angles. Returns how often. Complexity: linear.
+/// smooths the points while the normals are rougher than `tolerance`, in radians, or contradict the
+/// positions by more than four times that, and renews the graph's lengths and angles. Returns how often.
+/// Complexity: linear.
 inline std::size_t smooth_noise(const float tolerance, Neighbor_graph& graph,
                                 Oriented_points& points)
 {
   constexpr std::size_t most = 12;
-  constexpr float crumpled = radians(10.); // such normals tell nothing about sides
+  constexpr float crumpled = radians(18.); // such normals tell nothing about sides
   std::size_t rounds = 0;
-  for (float rough = roughness(graph); rounds < most && rough > tolerance; rough = roughness(graph))
+  for (float rough = roughness(graph);
+       rounds < most && (rough > tolerance || contradiction(graph, points) > 4.f * tolerance);
+       rough = roughness(graph))
   {
     ++rounds;
     smooth_once(graph, rough > crumpled ? -2.f : 0.f, points);

@@ -4,6 +4,7 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REPRESENTATIVES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REPRESENTATIVES_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/Second_moments.h>
 #include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 // Bounded work in the middle: everything that is not linear runs on about a fixed number of
@@ -87,33 +89,119 @@ inline std::uint64_t voxel_key(const Vector3& p, const float side)
   return cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
 }
 
+/// Points that one representative stands for.
+struct Point_group
+{
+  Vector3 position, normal; ///< sums
+  Vector3 first_normal;     ///< stands in where the normals cancel out
+  std::size_t size;
+  Index next; ///< another group in the same voxel, or -1
+};
+
+/// returns a representative for each group.
+inline Representatives represent_groups(const Oriented_points& points,
+                                        const std::vector<Point_group>& groups,
+                                        std::vector<Index> group_of_point)
+{
+  Representatives result;
+  result.of_point = std::move(group_of_point);
+  Oriented_points& thinned = result.points;
+  thinned.extent = points.extent;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+  {
+    thinned.positions.push_back((1.f / static_cast<float>(groups[g].size)) * groups[g].position);
+    thinned.normals.push_back(normalized(groups[g].normal, groups[g].first_normal));
+    thinned.elements.push_back(static_cast<Index>(g));
+  }
+  thinned.links = renamed_links(points.links, result.of_point);
+  return result;
+}
+
+/// thins the points to two representatives a voxel at most, one on either side of the plane that the normals
+/// in the voxel tell: where noise has crumpled the surface its sides are all that they tell.
+///
+/// Complexity: linear.
+inline Representatives thin_by_sides(const Oriented_points& points, const float side)
+{
+  constexpr Index none = static_cast<Index>(-1);
+  struct Voxel
+  {
+    Second_moments normals;
+    Vector3 axis;
+    std::array<Index, 2> groups = {none, none};
+  };
+  std::vector<Voxel> voxels;
+  std::unordered_map<std::uint64_t, Index> voxel_at;
+  std::vector<Index> of_point(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto [slot, is_new] =
+        voxel_at.emplace(voxel_key(points.positions[i], side), static_cast<Index>(voxels.size()));
+    if (is_new) voxels.emplace_back();
+    of_point[i] = slot->second;
+    const Vector3& n = points.normals[i];
+    voxels[slot->second].normals += Second_moments(Double3{n.x, n.y, n.z});
+  }
+  for (Voxel& voxel : voxels)
+  {
+    const Double3 axis = Principal_axes(voxel.normals).longest();
+    voxel.axis = {static_cast<float>(axis.x), static_cast<float>(axis.y),
+                  static_cast<float>(axis.z)};
+  }
+  std::vector<Point_group> groups;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    Voxel& voxel = voxels[of_point[i]];
+    Index& g = voxel.groups[dot(voxel.axis, points.normals[i]) < 0.f ? 1 : 0];
+    if (g == none)
+    {
+      g = static_cast<Index>(groups.size());
+      groups.push_back({{}, {}, points.normals[i], 0, none});
+    }
+    groups[g].position = groups[g].position + points.positions[i];
+    groups[g].normal = groups[g].normal + points.normals[i];
+    ++groups[g].size;
+    of_point[i] = g;
+  }
+  return represent_groups(points, groups, std::move(of_point));
+}
+
+/// returns whether noise has crumpled the surface: hardly any voxel of a shape holds points of three walls
+/// or more, which corners and the neighborhood of thin parts do.
+inline bool is_crumpled(const std::vector<Point_group>& groups,
+                        const std::unordered_map<std::uint64_t, Index>& first_in_voxel)
+{
+  constexpr Index none = static_cast<Index>(-1);
+  constexpr double most = 0.04; // shapes without noise: up to 0.03
+  std::size_t with_three = 0;
+  for (const auto& voxel : first_in_voxel)
+  {
+    const Index second = groups[voxel.second].next;
+    if (second != none && groups[second].next != none) ++with_three;
+  }
+  return static_cast<double>(with_three) > most * static_cast<double>(first_in_voxel.size());
+}
+
 /// thins the points to about `count` voxels. Opposite sides of a thin sheet in one voxel stay apart:
 /// points are grouped only with normals within 60 degrees, so that thin parts do not vanish.
+/// `despite_noise`: by sides instead if the surface is crumpled.
 ///
 /// Complexity: linear but for the sort of one integer a point.
 inline Representatives thin_points(const Oriented_points& points, const std::size_t count,
-                                   const bool parallel)
+                                   const bool parallel, const bool despite_noise)
 {
-  struct Group
-  {
-    Vector3 position, normal, first_normal;
-    std::size_t size;
-    Index next; // another group in the same voxel
-  };
   constexpr Index none = static_cast<Index>(-1);
   const float side = voxel_side(points, count, parallel);
   std::vector<std::uint64_t> keys(parallel ? points.size() : 0); // one thread makes them on its way
   parallel_for(
       keys.size(), parallel,
       [&](const std::size_t i) { keys[i] = voxel_key(points.positions[i], side); }, 4096);
-  std::vector<Group> groups;
+  std::vector<Point_group> groups;
   std::unordered_map<std::uint64_t, Index> first_in_voxel;
   first_in_voxel.reserve(2 * count);
   std::uint64_t last_key = 0; // the next point is often in the same voxel
   Index* last_first = nullptr;
-
-  Representatives result;
-  result.of_point.resize(points.size());
+  std::vector<Index> of_point(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Vector3& n = points.normals[i];
@@ -133,26 +221,18 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
     groups[g].position = groups[g].position + points.positions[i];
     groups[g].normal = groups[g].normal + n;
     ++groups[g].size;
-    result.of_point[i] = g;
+    of_point[i] = g;
   }
-
-  Oriented_points& thinned = result.points;
-  thinned.extent = points.extent;
-  for (std::size_t g = 0; g < groups.size(); ++g)
-  {
-    thinned.positions.push_back((1.f / static_cast<float>(groups[g].size)) * groups[g].position);
-    thinned.normals.push_back(normalized(groups[g].normal, groups[g].first_normal));
-    thinned.elements.push_back(static_cast<Index>(g));
-  }
-  thinned.links = renamed_links(points.links, result.of_point);
-  return result;
+  if (despite_noise && is_crumpled(groups, first_in_voxel)) return thin_by_sides(points, side);
+  return represent_groups(points, groups, std::move(of_point));
 }
 
 /// returns the points themselves if they are few, else about `count` representatives.
 inline Representatives choose_representatives(const Oriented_points& points,
-                                              const std::size_t count, const bool parallel = false)
+                                              const std::size_t count, const bool parallel = false,
+                                              const bool despite_noise = false)
 {
-  if (points.size() > count + count / 4) return thin_points(points, count, parallel);
+  if (points.size() > count + count / 4) return thin_points(points, count, parallel, despite_noise);
   Representatives all;
   all.points = points;
   return all;

@@ -72,8 +72,9 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
                   shape->input =
                       orient_points(has_more ? sampled : faces, control.parallel, control);
                   control.check();
-                  shape->representatives = choose_representatives(
-                      shape->input, parameters.number_of_representatives, control.parallel);
+                  shape->representatives =
+                      choose_representatives(shape->input, parameters.number_of_representatives,
+                                             control.parallel, parameters.noise_tolerance < 180.);
                   control.check();
                   if (parameters.flip_inward_normals && is_inside_out(shape->points()))
                   {
