@@ -65,11 +65,11 @@ inline float contradiction(const Neighbor_graph& graph, const Oriented_points& p
   return of_point.empty() ? 0.f : *quartile;
 }
 
-/// gives each point the mean normal of itself and its neighbors, and moves it along that normal into their
-/// mean plane. Neighbors whose product of normals with the point's is at most `other_side` do not count:
-/// they are of the other side of a thin part.
+/// moves each point along the mean normal of itself and its neighbors into their mean plane, and gives it
+/// that normal, or leaves the normals. Neighbors whose product of normals with the point's is at most
+/// `other_side` do not count: they are of the other side of a thin part.
 inline void smooth_once(const Neighbor_graph& graph, const float other_side,
-                        Oriented_points& points)
+                        const bool leave_normals, Oriented_points& points)
 {
   std::vector<Vector3> normals(points.size()), positions(points.size());
   for (Index i = 0; i < points.size(); ++i)
@@ -86,25 +86,25 @@ inline void smooth_once(const Neighbor_graph& graph, const float other_side,
     normals[i] = normalized(normal, points.normals[i]);
     positions[i] = points.positions[i] + (dot(normals[i], away) / count) * normals[i];
   }
-  points.normals = std::move(normals);
+  if (!leave_normals) points.normals = std::move(normals);
   points.positions = std::move(positions);
 }
 
 /// smooths the points while the normals are rougher than `tolerance`, in radians, or contradict the
-/// positions by more than four times that, and renews the graph's lengths and angles. Returns how often.
-/// Complexity: linear.
+/// positions by more than twice that, and renews the graph's lengths and angles. Normals that are smooth
+/// and contradict the positions little, as those of a scanner that knows more than its points tell, stay.
+/// Returns how often. Complexity: linear.
 inline std::size_t smooth_noise(const float tolerance, Neighbor_graph& graph,
                                 Oriented_points& points)
 {
   constexpr std::size_t most = 12;
   constexpr float crumpled = radians(18.); // such normals tell nothing about sides
-  std::size_t rounds = 0;
-  for (float rough = roughness(graph);
-       rounds < most && (rough > tolerance || contradiction(graph, points) > 4.f * tolerance);
-       rough = roughness(graph))
+  for (std::size_t rounds = 0; rounds < most; ++rounds)
   {
-    ++rounds;
-    smooth_once(graph, rough > crumpled ? -2.f : 0.f, points);
+    const float rough = roughness(graph), contradictory = contradiction(graph, points);
+    if (rough <= tolerance && contradictory <= 2.f * tolerance) return rounds;
+    smooth_once(graph, rough > crumpled ? -2.f : 0.f,
+                rough <= tolerance && contradictory <= 4.f * tolerance, points);
     for (Index i = 0; i < graph.size(); ++i)
       for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
       {
@@ -113,7 +113,7 @@ inline std::size_t smooth_noise(const float tolerance, Neighbor_graph& graph,
         edge.concavity = signed_concavity(points, i, edge.point);
       }
   }
-  return rounds;
+  return most;
 }
 
 } // namespace internal
