@@ -119,9 +119,9 @@ struct Parameters
   bool link_across_lines = true;
   /// seed of all random choices; any value
   unsigned int seed = 0;
-  /// The points are smoothed where noise turns the normals of neighbors by more degrees: where most
-  /// points have convex and concave edges in equal measure; `[0, 180]`, with 180 never. The positions
-  /// that are given stay as they are.
+  /// The points are smoothed where noise turns the normals of neighbors by more degrees (most points have
+  /// convex and concave edges in equal measure) or normals contradict positions by twice that, and thinned
+  /// by sides where they are crumpled; `[0, 180]`, with 180 never. Given positions stay as they are.
   double noise_tolerance = 2.5;
   /// The vertices of a mesh are smoothed, before all else, where noise turns the normals of faces that
   /// share an edge by more degrees: where the median face has convex and concave edges in equal measure;
