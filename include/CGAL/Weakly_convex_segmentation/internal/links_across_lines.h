@@ -29,7 +29,7 @@ namespace internal {
 inline Vector3 line_direction(const Oriented_points& points, const Index i, const Index* neighbors,
                               const std::size_t k)
 {
-  constexpr float thin = 0.6f; // variance across over that along: also stripes of several lines
+  constexpr float thin = 0.25f; // variance across over that along: also stripes of several lines
   const Vector3& normal = points.normals[i];
   if (!(squared_length(normal) > 0.f)) return {};
   const Vector3 axis = std::abs(normal.x) < 0.6f ? Vector3{1.f, 0.f, 0.f} : Vector3{0.f, 1.f, 0.f};
