@@ -132,9 +132,8 @@ Raw_points doubled(const SM::Mesh& mesh)
 /// the elements of a mesh as they are segmented: faces, or their centroids without the mesh
 Raw_points read_elements(const SM::Mesh& mesh, const bool points_only)
 {
-  Raw_points raw = Shape_variants::read_raw(mesh);
-  if (!points_only) return raw;
-  return Shape_variants::kept_centroids(raw, std::vector<char>(mesh.faces.size(), 1)).raw;
+  using Shape_variants::Variant;
+  return Shape_variants::make_variant(mesh, points_only ? Variant::POINTS : Variant::MESH, 0).raw;
 }
 
 const std::vector<std::string> changes = {"seed",       "order",      "motion", "scale",

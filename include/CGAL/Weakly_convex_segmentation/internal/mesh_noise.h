@@ -200,7 +200,7 @@ inline bool smooth_mesh(const Raw_points& raw, const double tolerance, const Run
   if (raw.first_corner.size() != raw.positions.size() + 1) return false;
   const double rough = face_roughness(raw);
   if (!(rough > tolerance)) return false;
-  check_finite(raw.corners, "corner", control.parallel);
+  check_finite(raw.positions, "position", control.parallel); // NaN has no place in an order
   Mesh_vertices vertices;
   weld_corners(raw.corners, control.parallel, vertices);
   control.check();

@@ -21,6 +21,14 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// returns the value that a quarter is below, 0 for none.
+inline float lower_quartile(std::vector<float> values)
+{
+  const auto quartile = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::nth_element(values.begin(), quartile, values.end());
+  return values.empty() ? 0.f : *quartile;
+}
+
 /// returns how far the normals of neighbors differ by noise, in radians: the lower quartile over the
 /// points of twice the smaller one of the mean convex and the mean concave angle of its edges.
 inline float roughness(const Neighbor_graph& graph)
@@ -38,14 +46,12 @@ inline float roughness(const Neighbor_graph& graph)
       }
     of_point[i] = edges > 0.f ? 2.f * (std::min)(concave, convex) / edges : 0.f;
   }
-  const auto quartile = of_point.begin() + static_cast<std::ptrdiff_t>(of_point.size() / 4);
-  std::nth_element(of_point.begin(), quartile, of_point.end());
-  return of_point.empty() ? 0.f : *quartile;
+  return lower_quartile(std::move(of_point));
 }
 
 /// returns how far positions and normals of neighbors contradict each other, in radians: the lower quartile
-/// over the points of the mean angle between an edge and the plane across the mean normal of its ends. It
-/// is 0 on planes, spheres and cylinders, however coarse, also where noise has spared the normals.
+/// over the points of the mean sine of the angle between an edge and the plane across the mean normal of its
+/// ends. It is 0 on planes, spheres and cylinders, however coarse, also where noise has spared the normals.
 inline float contradiction(const Neighbor_graph& graph, const Oriented_points& points)
 {
   std::vector<float> of_point(graph.size(), 0.f);
@@ -60,9 +66,7 @@ inline float contradiction(const Neighbor_graph& graph, const Oriented_points& p
     }
     if (graph[i].size() > 0) of_point[i] = sum / static_cast<float>(graph[i].size());
   }
-  const auto quartile = of_point.begin() + static_cast<std::ptrdiff_t>(of_point.size() / 4);
-  std::nth_element(of_point.begin(), quartile, of_point.end());
-  return of_point.empty() ? 0.f : *quartile;
+  return lower_quartile(std::move(of_point));
 }
 
 /// moves each point along the mean normal of itself and its neighbors into their mean plane, and gives it

@@ -96,6 +96,13 @@ struct Point_group
   Vector3 first_normal;     ///< stands in where the normals cancel out
   std::size_t size;
   Index next; ///< another group in the same voxel, or -1
+
+  void add(const Vector3& p, const Vector3& n)
+  {
+    position = position + p;
+    normal = normal + n;
+    ++size;
+  }
 };
 
 /// returns a representative for each group.
@@ -158,16 +165,14 @@ inline Representatives thin_by_sides(const Oriented_points& points, const float 
       g = static_cast<Index>(groups.size());
       groups.push_back({{}, {}, points.normals[i], 0, none});
     }
-    groups[g].position = groups[g].position + points.positions[i];
-    groups[g].normal = groups[g].normal + points.normals[i];
-    ++groups[g].size;
+    groups[g].add(points.positions[i], points.normals[i]);
     of_point[i] = g;
   }
   return represent_groups(points, groups, std::move(of_point));
 }
 
-/// returns whether noise has crumpled the surface: hardly any voxel of a shape holds points of three walls
-/// or more, which corners and the neighborhood of thin parts do.
+/// returns whether noise has crumpled the surface: only corners and narrow gaps of a shape have points of
+/// three walls in one voxel.
 inline bool is_crumpled(const std::vector<Point_group>& groups,
                         const std::unordered_map<std::uint64_t, Index>& first_in_voxel)
 {
@@ -218,9 +223,7 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
       groups.push_back({{}, {}, n, 0, *last_first});
       *last_first = g;
     }
-    groups[g].position = groups[g].position + points.positions[i];
-    groups[g].normal = groups[g].normal + n;
-    ++groups[g].size;
+    groups[g].add(points.positions[i], n);
     of_point[i] = g;
   }
   if (despite_noise && is_crumpled(groups, first_in_voxel)) return thin_by_sides(points, side);
