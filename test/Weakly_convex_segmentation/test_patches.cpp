@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(two_cliques_with_a_bridge_are_two_clusters)
   edges.push_back({14, 15, 1.});
   for (unsigned int seed = 0; seed < 10; ++seed)
   {
-    const std::vector<Index> clusters = spectral_clusters(30, edges, 2, seed);
+    const std::vector<Index> clusters = spectral_clusters(30, edges, 2, {}, seed);
     BOOST_CHECK_EQUAL(number_of_distinct(clusters, 15), 2u);
     BOOST_CHECK_NE(clusters[0], clusters[29]);
   }
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_weak_cut_decides_between_equal_pieces)
   // a cycle of 24 nodes with two light edges
   Edges edges;
   for (Index i = 0; i < 24; ++i) edges.push_back({i, (i + 1) % 24, i == 5 || i == 17 ? 0.01 : 1.});
-  const std::vector<Index> clusters = spectral_clusters(24, edges, 2, 0);
+  const std::vector<Index> clusters = spectral_clusters(24, edges, 2, {}, 0);
   for (Index i = 0; i < 24; ++i) BOOST_CHECK_EQUAL(clusters[i] == clusters[6], i >= 6 && i <= 17);
 }
 
@@ -149,20 +149,21 @@ BOOST_AUTO_TEST_CASE(symmetric_graphs_with_equal_eigenvalues_converge)
       {60, clique}, {200, star}, {1500, path}, {900, grid}};
   for (const auto& [size, edges] : graphs)
     for (const std::size_t count : {2u, 10u, 40u})
-    {
-      const std::vector<Index> clusters = spectral_clusters(size, edges, count, 1);
-      BOOST_REQUIRE_EQUAL(clusters.size(), size);
-      BOOST_CHECK_LT(*std::max_element(clusters.begin(), clusters.end()), count);
-      const std::set<Index> used(clusters.begin(), clusters.end());
-      BOOST_CHECK_GT(used.size(), count / 2);
-    }
+      for (const Parameters& parameters : {Parameters(), Parameters::paper()})
+      {
+        const std::vector<Index> clusters = spectral_clusters(size, edges, count, parameters, 1);
+        BOOST_REQUIRE_EQUAL(clusters.size(), size);
+        BOOST_CHECK_LT(*std::max_element(clusters.begin(), clusters.end()), count);
+        const std::set<Index> used(clusters.begin(), clusters.end());
+        BOOST_CHECK_GT(used.size(), count / 2);
+      }
 }
 
 BOOST_AUTO_TEST_CASE(as_many_clusters_as_nodes_need_no_eigenvectors)
 {
   BOOST_CHECK(
-      (spectral_clusters(3, {{0, 1, 1.}, {1, 2, 1.}}, 5, 0) == std::vector<Index>{0, 1, 2}));
-  BOOST_CHECK((spectral_clusters(4, {{0, 1, 1.}, {2, 3, 1.}, {1, 2, 1.}}, 1, 0) ==
+      (spectral_clusters(3, {{0, 1, 1.}, {1, 2, 1.}}, 5, {}, 0) == std::vector<Index>{0, 1, 2}));
+  BOOST_CHECK((spectral_clusters(4, {{0, 1, 1.}, {2, 3, 1.}, {1, 2, 1.}}, 1, {}, 0) ==
                std::vector<Index>(4, 0)));
 }
 

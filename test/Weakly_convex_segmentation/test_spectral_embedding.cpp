@@ -87,7 +87,9 @@ BOOST_AUTO_TEST_CASE(the_longest_waves_lie_in_the_space_of_the_embedding)
   constexpr Index columns = 24, height = 20;
   const Normalized_graph graph = torus(columns, height);
   constexpr std::size_t count = 20;
-  const std::vector<Index> cells = spread_cells(graph, count, 0);
+  const Spread_cells both = spread_cells(graph, count, 2 * count, 0);
+  const std::vector<Index>& cells = both.few;
+  BOOST_CHECK_EQUAL(std::set<Index>(both.many.begin(), both.many.end()).size(), 2 * count);
   BOOST_CHECK_EQUAL(std::set<Index>(cells.begin(), cells.end()).size(), count);
   Row_matrix rows(graph.size(), count);
   for (std::size_t i = 0; i < graph.size(); ++i) rows.at(i, cells[i]) = 1.f;
@@ -118,7 +120,7 @@ BOOST_AUTO_TEST_CASE(the_longest_waves_lie_in_the_space_of_the_embedding)
     BOOST_CHECK_GT(share(rows, phase), 0.97);
     BOOST_CHECK_LT(1. - share(rows, phase), 0.5 * (1. - share(unfiltered, phase)));
   }
-  const Row_matrix embedded = spectral_embedding(graph, cells, count);
+  const Row_matrix embedded = spectral_embedding(graph, cells, count, 36);
   for (std::size_t i = 0; i < graph.size(); ++i)
     BOOST_REQUIRE_CLOSE(product_of(embedded.row(i), embedded.row(i), embedded.groups()), 1.f, 1e-2);
 }

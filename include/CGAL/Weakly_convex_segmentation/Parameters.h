@@ -136,10 +136,16 @@ struct Parameters
   std::size_t number_of_patches = 88;
   /// The patches are made anew so many times, each set is merged to segments, and the segments are what
   /// most of them agree on; `[1, 100]`. More are steadier and a little better, and take longer.
-  std::size_t number_of_patch_sets = 3;
+  std::size_t number_of_patch_sets = 5;
   /// number of supervoxels that the spectral clustering works on, which bound its time;
   /// `[1, 20000]`
   std::size_t number_of_supervoxels = 1500;
+  /// dimensions of the space of the spectral clustering, in shares of the wanted number of patches, but
+  /// up to 10 patches have one each; the paper has 1; `[0.01, 1]`
+  double spectral_dimensions = 0.5;
+  /// degree of the polynomial that stands for the eigenvectors of that space: the higher, the sharper
+  /// it parts them from all others; `[1, 1000]`
+  std::size_t spectral_filter_degree = 24;
   /// neighbors are joined in the convexity graph unless their normals are concave by more degrees;
   /// `[0, 180]`
   double patch_concavity_tolerance = 5.;
@@ -167,10 +173,10 @@ struct Parameters
   /// there is no such test and lines that pass outside of the shape count when unoccluded.
   double outside_tolerance = 90.;
   /// A pair of patches is decided when so many first rays agree; 0 casts all rays.
-  std::size_t rays_for_early_decision = 4;
+  std::size_t rays_for_early_decision = 2;
   /// A pair of patches that is not decided early gets at most so many rays; 0: all
   /// `samples_per_patch` squared.
-  std::size_t maximum_rays_per_pair = 9;
+  std::size_t maximum_rays_per_pair = 5;
 
   /// @}
   /// \name Rules
@@ -283,6 +289,8 @@ inline Parameters Parameters::paper()
   p.link_across_lines = false;
   p.number_of_patches = 100; // silent; the trial of the method used 100
   p.number_of_patch_sets = 1;
+  p.spectral_dimensions = 1.;
+  p.spectral_filter_degree = 36;
   p.patch_concavity_tolerance = 0.;
   p.grazing_tolerance = 0.; // section 3: every disk on the line occludes it
   p.rays_for_early_decision = 0;
@@ -345,6 +353,8 @@ inline void Parameters::check() const
   check("number_of_patches", number_of_patches, 1., 1000.);
   check("number_of_patch_sets", number_of_patch_sets, 1., 100.);
   check("number_of_supervoxels", number_of_supervoxels, 1., 20000.);
+  check("spectral_dimensions", spectral_dimensions, 0.01, 1.);
+  check("spectral_filter_degree", spectral_filter_degree, 1., 1000.);
   check("patch_concavity_tolerance", patch_concavity_tolerance, 0., 180.);
   check("concave_edge_weight", concave_edge_weight, 0., 1.);
   check("minimum_patch_size", minimum_patch_size, 0., 1e9);

@@ -140,7 +140,8 @@ inline std::vector<Index> cluster_supervoxels(const Supervoxels& supervoxels,
     const double share = static_cast<double>(points[r]) / supervoxels.of_point.size();
     const std::size_t wanted = static_cast<std::size_t>(
         std::ceil(share * static_cast<double>(parameters.number_of_patches) - 1e-9));
-    const std::vector<Index> own = spectral_clusters(nodes[r].size(), piece_edges[r], wanted, seed);
+    const std::vector<Index> own =
+        spectral_clusters(nodes[r].size(), piece_edges[r], wanted, parameters, seed);
     Index used = 0;
     for (std::size_t i = 0; i < own.size(); ++i)
     {

@@ -117,7 +117,8 @@ public:
   void merged(int, int, double) override { m_control.check_on_any_thread(); }
 };
 
-/// returns the segments of the representatives that one set of patches leads to.
+/// returns the segments of the representatives that one set of patches leads to. Their borders are
+/// refined: else what sets agree on would be cut along the borders of many patches.
 inline std::vector<int> segments_of_set(const Shape_analysis& shape, const Patch_set& set,
                                         const Parameters& parameters, const Run_control& control)
 {
@@ -132,6 +133,7 @@ inline std::vector<int> segments_of_set(const Shape_analysis& shape, const Patch
   std::vector<int> labels;
   labels.reserve(shape.points().size());
   for (const int p : set.patches.of_point) labels.push_back(regions[p]);
+  refine_borders(shape.graph, parameters, labels, control.parallel);
   return labels;
 }
 

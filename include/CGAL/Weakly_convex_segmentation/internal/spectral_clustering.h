@@ -4,10 +4,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_CLUSTERING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_CLUSTERING_H
 
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Voronoi_cells.h>
 #include <CGAL/Weakly_convex_segmentation/internal/spectral_embedding.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -26,24 +28,34 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// divides a connected graph into at most `count` cells about nodes that are far from each other. An
-/// edge of low weight is long.
-inline std::vector<Index> spread_cells(const Normalized_graph& graph, const std::size_t count,
-                                       Index seed)
+/// Two divisions of a graph into cells, of which the second has more.
+struct Spread_cells
 {
+  std::vector<Index> few, many; ///< cell of each node
+};
+
+/// divides a connected graph into at most `few` and into at most `many` cells about nodes that are far
+/// from each other. An edge of low weight is long.
+inline Spread_cells spread_cells(const Normalized_graph& graph, const std::size_t few,
+                                 const std::size_t many, Index seed)
+{
+  Spread_cells result;
   Cost_graph costs{graph.first, {}};
   costs.edges.reserve(graph.edges.size());
   for (const auto& edge : graph.edges) costs.edges.push_back({edge.node, 1.f / edge.weight});
   Voronoi_cells cells(costs);
-  for (Index c = 0; c < count && cells.distance(seed) > 0.f; ++c)
+  for (Index c = 0; c < many && cells.distance(seed) > 0.f; ++c)
   {
+    if (c == few) result.few = cells.cells();
     cells.add_seed(seed, c);
     cells.grow();
     seed = 0;
     for (Index i = 1; i < graph.size(); ++i)
       if (cells.distance(i) > cells.distance(seed)) seed = i;
   }
-  return cells.cells();
+  result.many = cells.cells();
+  if (result.few.empty()) result.few = result.many;
+  return result;
 }
 
 /// returns the means of the rows of each cluster.
@@ -97,12 +109,23 @@ inline void move_to_nearest_means(const Normalized_graph& graph, const Row_matri
   }
 }
 
+/// returns the dimensions of the space in which `count` clusters are looked for. Few clusters need one
+/// each: in a single dimension all nodes of a graph are the same.
+inline std::size_t spectral_dimensions(const std::size_t count, const double share)
+{
+  constexpr std::size_t few = 10;
+  const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(count)));
+  return (std::max)(wanted, (std::min)(count, few));
+}
+
 /// clusters the `size` nodes of a connected graph into at most `count` clusters.
 ///
-/// Complexity: O((size + number of edges) * count + size * count^2).
+/// Complexity: O((size * degree + number of edges * degree) * dimensions + size * dimensions^2), with
+/// `Parameters::spectral_filter_degree` and `Parameters::spectral_dimensions` times the count.
 inline std::vector<Index> spectral_clusters(const std::size_t size,
                                             const std::vector<Weighted_edge>& edges,
-                                            const std::size_t count, const unsigned int seed)
+                                            const std::size_t count, const Parameters& parameters,
+                                            const unsigned int seed)
 {
   if (count <= 1 || size <= 2) return std::vector<Index>(size, 0);
   if (count + 1 >= size)
@@ -112,11 +135,13 @@ inline std::vector<Index> spectral_clusters(const std::size_t size,
     return own;
   }
   const Normalized_graph graph(size, edges);
-  std::vector<Index> cluster =
-      spread_cells(graph, count, static_cast<Index>(std::mt19937(seed)() % size));
-  const Row_matrix rows = spectral_embedding(graph, cluster, count);
-  move_to_nearest_means(graph, rows, count, cluster);
-  return cluster;
+  const std::size_t dimensions = spectral_dimensions(count, parameters.spectral_dimensions);
+  Spread_cells cells =
+      spread_cells(graph, dimensions, count, static_cast<Index>(std::mt19937(seed)() % size));
+  const Row_matrix rows =
+      spectral_embedding(graph, cells.few, dimensions, parameters.spectral_filter_degree);
+  move_to_nearest_means(graph, rows, count, cells.many);
+  return std::move(cells.many);
 }
 
 } // namespace internal

@@ -193,11 +193,11 @@ inline void orthonormalize_columns(Row_matrix& rows)
 }
 
 /// returns the nodes' coordinates, of unit length, in a space of `count` dimensions near that of the
-/// lowest eigenvectors: what is left of the indicators of `cells` when high frequencies are taken away.
+/// lowest eigenvectors: what is left of the indicators of `cells` when high frequencies are taken away,
+/// by a step that is about 3.6 / `degree` of the spectrum wide.
 inline Row_matrix spectral_embedding(const Normalized_graph& graph, const std::vector<Index>& cells,
-                                     const std::size_t count)
+                                     const std::size_t count, const std::size_t degree)
 {
-  constexpr std::size_t degree = 36; // the step is then about as wide as a tenth of the spectrum
   Row_matrix rows(graph.size(), count);
   for (std::size_t i = 0; i < graph.size(); ++i) rows.at(i, cells[i]) = 1.f;
   // of an even mesh of triangles the k lowest of n eigenvalues are up to about 3.6 k / n; the step is
