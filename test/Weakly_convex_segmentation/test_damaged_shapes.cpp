@@ -12,9 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -193,6 +195,35 @@ BOOST_AUTO_TEST_CASE(labels_do_not_depend_on_order_or_indices)
       expected.push_back(usual[order[i]]);
     }
     BOOST_CHECK_SMALL(rand_distance(segment(shuffled).labels, expected), 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(faces_at_one_edge_are_linked_in_any_order)
+{
+  Soup fan; // five triangles at the edge from 0 to 1
+  fan.points = {{0., 0., 0.}, {0., 0., 1.}};
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    const double angle = static_cast<double>(i);
+    fan.points.emplace_back(std::cos(angle), std::sin(angle), 0.5);
+    fan.polygons.push_back({0, 1, i + 2});
+  }
+  const auto links = [&fan]
+  {
+    const auto raw =
+        WCS::internal::read_soup(fan.points, fan.polygons, CGAL::Identity_property_map<Point>());
+    std::set<std::set<Coordinates>> result;
+    for (const auto& link : raw.links)
+      result.insert({raw.positions[link[0]], raw.positions[link[1]]});
+    return result;
+  };
+  const auto usual = links();
+  BOOST_CHECK_EQUAL(usual.size(), 4u);
+  std::mt19937 random(4);
+  for (int i = 0; i < 5; ++i)
+  {
+    shuffle(fan.polygons, random);
+    BOOST_CHECK(links() == usual);
   }
 }
 

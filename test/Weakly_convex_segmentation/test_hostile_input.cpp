@@ -349,6 +349,7 @@ BOOST_AUTO_TEST_CASE(extreme_parameters)
   for (int trial = 0; trial < 40; ++trial)
   {
     Parameters p = presets[random() % 3];
+    p.align_principal_axes = random() % 2 == 0;
     p.number_of_neighbors = count({3, 4, 10, 100});
     p.number_of_representatives = count({100, 500, 1e9});
     p.number_of_patches = count({1, 2, 50, 400});

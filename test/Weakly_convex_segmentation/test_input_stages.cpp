@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -165,6 +166,67 @@ BOOST_AUTO_TEST_CASE(frame_does_not_change_with_place_scale_or_order)
     BOOST_REQUIRE_EQUAL(again.elements[i], 399u - points.elements[i]);
     BOOST_REQUIRE_SMALL(length(again.positions[i] - points.positions[i]), 1e-6f);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_frame_along_the_axes_turns_with_the_points)
+{
+  const Raw_points raw = random_points(400, 2);
+  const Oriented_points points = orient_points(raw, false, {}, true);
+  Raw_points moved = raw;
+  for (auto* vectors : {&moved.positions, &moved.normals})
+    for (auto& v : *vectors)
+      v = {-0.48 * v[0] - 0.64 * v[1] + 0.6 * v[2], 0.8 * v[0] - 0.6 * v[1],
+           0.36 * v[0] + 0.48 * v[1] + 0.8 * v[2]};
+  for (auto& p : moved.positions) p = plus(p, {5., -7., 2.});
+  BOOST_CHECK_SMALL(largest_difference(points, orient_points(moved, false, {}, true)), 1e-6);
+  BOOST_CHECK(orient_points(moved, false, {}, true).elements == points.elements);
+  BOOST_CHECK_GT(largest_difference(orient_points(raw), orient_points(moved)), 0.1);
+  // it is a rotation: distances stay, and so do the volumes that three points span
+  const auto frame = in_input_order(points), plain = in_input_order(orient_points(raw));
+  const auto volume = [](const std::vector<std::pair<Vector3, Vector3>>& p, const std::size_t i)
+  { return dot(cross(p[i].first, p[i + 1].first), p[i + 2].first); };
+  for (std::size_t i = 0; i + 2 < frame.size(); ++i)
+  {
+    BOOST_REQUIRE_SMALL(length(frame[i].first - frame[i + 1].first) -
+                            length(plain[i].first - plain[i + 1].first),
+                        1e-6f);
+    BOOST_REQUIRE_SMALL(volume(frame, i) - volume(plain, i), 1e-6f);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_frame_along_the_axes_is_the_same_in_any_order)
+{
+  Raw_points raw = random_points(5000, 12);
+  const Frame frame = principal_frame(raw.positions, false);
+  std::reverse(raw.positions.begin(), raw.positions.end());
+  const Frame again = principal_frame(raw.positions, false);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) BOOST_CHECK_EQUAL(frame.axes[k][c], again.axes[k][c]);
+  // points that span no space have some frame as well
+  for (const Coordinates& direction : {Coordinates{0., 0., 0.}, {1., 1., 0.}})
+  {
+    const Frame flat = principal_frame({{1., 2., 3.}, plus({1., 2., 3.}, direction)}, false);
+    for (const Double3& axis : flat.axes) BOOST_CHECK_CLOSE(length(axis), 1., 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sums_are_the_same_in_any_order)
+{
+  std::mt19937 random(3);
+  std::vector<double> terms(30000);
+  for (double& t : terms) t = std::pow(2. * uniform(random) - 1., 9.);
+  const auto sum = [&terms]
+  {
+    return sums_in_any_order<1>(terms.size(), false,
+                                [&terms](const std::size_t i)
+                                { return std::array<double, 1>{terms[i]}; })[0];
+  };
+  const double in_order = sum();
+  BOOST_CHECK_SMALL(in_order - std::accumulate(terms.begin(), terms.end(), 0.), 1e-9);
+  std::sort(terms.begin(), terms.end());
+  BOOST_CHECK_EQUAL(sum(), in_order);
+  terms.assign(1000, 1.); // the largest that there may be
+  BOOST_CHECK_EQUAL(sum(), 1000.);
 }
 
 BOOST_AUTO_TEST_CASE(duplicates_stay_and_links_are_renamed)

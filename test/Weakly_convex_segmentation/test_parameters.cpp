@@ -131,6 +131,7 @@ std::vector<Setting> settings()
 {
   return {{"number_of_neighbors", "default", "dumbbell", 14.},
           {"number_of_representatives", "default", "dumbbell", 1000.},
+          {"align_principal_axes", "default", "dumbbell", 0.},
           {"use_mesh_adjacency", "default", "stretched dumbbell", 0.},
           {"seed", "default", "dumbbell", 9.},
           {"face_sampling_factor", "default", "long triangles", 0.},

@@ -112,6 +112,9 @@ struct Parameters
   /// Whether all normals are turned, for the run, where the shape is closed and its normals point
   /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
   bool flip_inward_normals = true;
+  /// Whether the shape is turned into its principal axes for the run, so that it is cut the same however
+  /// it lies.
+  bool align_principal_axes = true;
   /// whether the faces of a mesh count as neighbors where they share an edge
   bool use_mesh_adjacency = true;
   /// Whether points without a mesh whose nearest neighbors all lie along one line, as those of a laser
@@ -285,6 +288,7 @@ inline Parameters Parameters::paper()
   p.number_of_representatives = 20000;
   p.noise_tolerance = 180.;
   p.mesh_noise_tolerance = 180.;
+  p.align_principal_axes = false;
   p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
   p.link_across_lines = false;
   p.number_of_patches = 100; // silent; the trial of the method used 100

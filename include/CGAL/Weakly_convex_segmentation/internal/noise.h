@@ -52,19 +52,23 @@ inline float roughness(const Neighbor_graph& graph)
 /// returns how far positions and normals of neighbors contradict each other, in radians: the lower quartile
 /// over the points of the mean sine of the angle between an edge and the plane across the mean normal of its
 /// ends. It is 0 on planes, spheres and cylinders, however coarse, also where noise has spared the normals.
+/// Edges over creases do not count: a long bar of few points has hardly any others.
 inline float contradiction(const Neighbor_graph& graph, const Oriented_points& points)
 {
+  constexpr float crease = radians(60.);
   std::vector<float> of_point(graph.size(), 0.f);
   for (Index i = 0; i < graph.size(); ++i)
   {
-    float sum = 0.f;
+    float sum = 0.f, edges = 0.f;
     for (const Neighbor& edge : graph[i])
     {
+      if (std::abs(edge.concavity) >= crease) continue;
       const Vector3 along = points.positions[edge.point] - points.positions[i];
       const Vector3 normals = points.normals[i] + points.normals[edge.point];
       if (edge.length > 0.f) sum += 0.5f * std::abs(dot(normals, along)) / edge.length;
+      edges += 1.f;
     }
-    if (graph[i].size() > 0) of_point[i] = sum / static_cast<float>(graph[i].size());
+    if (edges > 0.f) of_point[i] = sum / edges;
   }
   return lower_quartile(std::move(of_point));
 }
@@ -103,11 +107,12 @@ inline std::size_t smooth_noise(const float tolerance, Neighbor_graph& graph,
 {
   constexpr std::size_t most = 12;
   constexpr float crumpled = radians(18.); // such normals tell nothing about sides
+  constexpr float right_angle = 0.1f;      // of walls at one, about, rounding must not decide
   for (std::size_t rounds = 0; rounds < most; ++rounds)
   {
     const float rough = roughness(graph), contradictory = contradiction(graph, points);
     if (rough <= tolerance && contradictory <= 2.f * tolerance) return rounds;
-    smooth_once(graph, rough > crumpled ? -2.f : 0.f,
+    smooth_once(graph, rough > crumpled ? -2.f : right_angle,
                 rough <= tolerance && contradictory <= 4.f * tolerance, points);
     for (Index i = 0; i < graph.size(); ++i)
       for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)

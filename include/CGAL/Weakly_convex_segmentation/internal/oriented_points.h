@@ -5,7 +5,9 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORIENTED_POINTS_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
+#include <CGAL/Weakly_convex_segmentation/internal/coordinates.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
+#include <CGAL/Weakly_convex_segmentation/internal/principal_frame.h>
 #include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
 
 #include <algorithm>
@@ -38,7 +40,8 @@ struct Raw_points
   int exponent = 0; ///< lengths of the input are those here, times 2 to the power of this
 };
 
-/// Points in the frame of the method: centered at the centroid, extent 1, in spatial order.
+/// Points in the frame of the method: centered at the centroid, extent 1, in spatial order; along the
+/// coordinate axes of the input or along the shape's own.
 struct Oriented_points
 {
   std::vector<Vector3> positions;
@@ -82,56 +85,10 @@ inline std::uint64_t spread_bits(std::uint64_t v)
   return v;
 }
 
-[[noreturn]] inline void refuse_extent()
-{
-  throw std::invalid_argument(
-      "the coordinates are so large that the extent of the shape overflows; scale the shape down");
-}
-
-/// The axis-aligned bounding cube of the points.
-struct Bounding_cube
-{
-  std::array<double, 3> corner;
-  double side;
-};
-
-inline Bounding_cube bounding_cube(const std::vector<std::array<double, 3>>& positions,
-                                   const bool parallel = false)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  struct Box
-  {
-    std::array<double, 3> low = {infinity, infinity, infinity};
-    std::array<double, 3> high = {-infinity, -infinity, -infinity};
-    void add(const std::array<double, 3>& first, const std::array<double, 3>& last)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        low[c] = (std::min)(low[c], first[c]);
-        high[c] = (std::max)(high[c], last[c]);
-      }
-    }
-  };
-  Box box;
-  for (const Box& of_block : map_blocks(positions.size(), parallel,
-                                        [&positions](const std::size_t begin, const std::size_t end)
-                                        {
-                                          Box own;
-                                          for (std::size_t i = begin; i < end; ++i)
-                                            own.add(positions[i], positions[i]);
-                                          return own;
-                                        }))
-    box.add(of_block.low, of_block.high);
-  const double side =
-      (std::max)({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
-  if (!std::isfinite(side)) refuse_extent();
-  return {box.low, side};
-}
-
 /// returns the input indices along a Morton curve. Neighbors in space become neighbors in memory,
 /// and nothing that follows depends on the order of the input (but for exact duplicates).
-inline std::vector<Index> spatial_order(const Raw_points& raw, const Bounding_cube& cube,
-                                        const bool parallel)
+inline std::vector<Index> spatial_order(const Raw_points& raw, const Frame& frame,
+                                        const Bounding_cube& cube, const bool parallel)
 {
   struct Keyed
   {
@@ -144,10 +101,10 @@ inline std::vector<Index> spatial_order(const Raw_points& raw, const Bounding_cu
       keyed.size(), parallel,
       [&](const std::size_t i)
       {
+        const Coordinates p = frame(raw.positions[i]);
         std::array<std::uint64_t, 3> cell;
         for (int c = 0; c < 3; ++c)
-          cell[c] =
-              static_cast<std::uint64_t>((raw.positions[i][c] - cube.corner[c]) / side * 2097151.);
+          cell[c] = static_cast<std::uint64_t>((p[c] - cube.corner[c]) / side * 2097151.);
         keyed[i].key = spread_bits(cell[0]) | spread_bits(cell[1]) << 1 | spread_bits(cell[2]) << 2;
         keyed[i].index = static_cast<Index>(i);
       },
@@ -175,41 +132,46 @@ struct Bounding_ball
   double radius = 0.;
 };
 
-/// returns the ball of `(p - corner) / side`. The sum over the points is in the order given, so that it
-/// does not depend on that of the input.
-inline Bounding_ball bounding_ball(const std::vector<std::array<double, 3>>& positions,
+/// returns the ball of `(p - corner) / side` of the points in a frame. The sum over the points is in the
+/// order given, so that it does not depend on that of the input.
+inline Bounding_ball bounding_ball(const std::vector<Coordinates>& positions, const Frame& frame,
                                    const std::vector<Index>& order, const Bounding_cube& cube,
                                    const double side, const bool parallel)
 {
+  const auto within_cube = [&](const std::size_t i) -> Coordinates
+  {
+    Coordinates p = frame(positions[i]);
+    for (int c = 0; c < 3; ++c) p[c] = (p[c] - cube.corner[c]) / side;
+    return p;
+  };
   Bounding_ball ball;
   for (const auto& sum : map_blocks(order.size(), parallel,
                                     [&](const std::size_t begin, const std::size_t end)
                                     {
-                                      std::array<double, 3> own = {0., 0., 0.};
+                                      Coordinates own = {0., 0., 0.};
                                       for (std::size_t i = begin; i < end; ++i)
-                                        for (int c = 0; c < 3; ++c)
-                                          own[c] +=
-                                              (positions[order[i]][c] - cube.corner[c]) / side;
+                                      {
+                                        const Coordinates p = within_cube(order[i]);
+                                        for (int c = 0; c < 3; ++c) own[c] += p[c];
+                                      }
                                       return own;
                                     }))
     for (int c = 0; c < 3; ++c) ball.center[c] += sum[c] / static_cast<double>(order.size());
-  for (const double squared :
-       map_blocks(positions.size(), parallel,
-                  [&](const std::size_t begin, const std::size_t end)
-                  {
-                    double largest = 0.;
-                    for (std::size_t i = begin; i < end; ++i)
-                    {
-                      double sum = 0.;
-                      for (int c = 0; c < 3; ++c)
-                      {
-                        const double d = (positions[i][c] - cube.corner[c]) / side - ball.center[c];
-                        sum += d * d;
-                      }
-                      largest = (std::max)(largest, sum);
-                    }
-                    return largest;
-                  }))
+  for (const double squared : map_blocks(positions.size(), parallel,
+                                         [&](const std::size_t begin, const std::size_t end)
+                                         {
+                                           double largest = 0.;
+                                           for (std::size_t i = begin; i < end; ++i)
+                                           {
+                                             const Coordinates p = within_cube(i);
+                                             double sum = 0.;
+                                             for (int c = 0; c < 3; ++c)
+                                               sum += (p[c] - ball.center[c]) *
+                                                      (p[c] - ball.center[c]);
+                                             largest = (std::max)(largest, sum);
+                                           }
+                                           return largest;
+                                         }))
     ball.radius = (std::max)(ball.radius, std::sqrt(squared));
   return ball;
 }
@@ -233,11 +195,12 @@ renamed_links(const std::vector<std::array<Index, 2>>& links, const std::vector<
 /// brings the input into the frame of the method.
 ///
 /// The extent is measured from the centroid: unlike a bounding box it does not change under
-/// rotation. Complexity: O(n log n) for the spatial sort.
+/// rotation. With `along_axes` the shape is turned into its principal axes. Complexity: O(n log n) for
+/// the spatial sort.
 /// \throws std::invalid_argument if there are no points, too many for 32 bits, or coordinates that
 /// are not finite.
 inline Oriented_points orient_points(const Raw_points& raw, const bool parallel = false,
-                                     const Run_control& control = {})
+                                     const Run_control& control = {}, const bool along_axes = false)
 {
   const std::size_t n = raw.positions.size();
   if (n == 0) throw std::invalid_argument("there are no points to segment");
@@ -246,14 +209,15 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   check_finite(raw.positions, "position", parallel);
   check_finite(raw.normals, "normal", parallel);
 
-  const Bounding_cube cube = bounding_cube(raw.positions, parallel);
+  const Frame frame = along_axes ? principal_frame(raw.positions, parallel) : Frame();
+  const Bounding_cube cube = bounding_cube(raw.positions, frame, parallel);
   Oriented_points points;
-  const std::vector<Index> order = spatial_order(raw, cube, parallel);
+  const std::vector<Index> order = spatial_order(raw, frame, cube, parallel);
   control.check();
 
   // relative to the corner, against cancellation, and to the side, whose square may overflow
   const double side = cube.side > 0. ? cube.side : 1.;
-  const Bounding_ball ball = bounding_ball(raw.positions, order, cube, side, parallel);
+  const Bounding_ball ball = bounding_ball(raw.positions, frame, order, cube, side, parallel);
   std::array<double, 3> centroid = ball.center;
   for (double& c : centroid) c *= side;
   points.extent = ball.radius > 0. ? 2. * ball.radius * side : 1.;
@@ -265,8 +229,7 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
       n, parallel,
       [&](const std::size_t i)
       {
-        const auto& p = raw.positions[order[i]];
-        const auto& v = raw.normals[order[i]];
+        const Coordinates p = frame(raw.positions[order[i]]), v = frame(raw.normals[order[i]]);
         const auto coordinate = [&](const int c)
         { return static_cast<float>((p[c] - cube.corner[c] - centroid[c]) / points.extent); };
         points.positions[i] = {coordinate(0), coordinate(1), coordinate(2)};

@@ -232,6 +232,35 @@ inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& 
   return welded;
 }
 
+/// A face and the vertices of one of its edges, the smaller one first.
+struct Face_at_edge
+{
+  std::size_t low, high;
+  Index face;
+};
+
+/// links the faces at each edge: if there are more than two, all with the one of lowest coordinates, so
+/// that the links do not depend on the order of the faces.
+inline void link_across_edges(std::vector<Face_at_edge> at_edges, Raw_points& raw)
+{
+  std::sort(at_edges.begin(), at_edges.end(),
+            [&raw](const Face_at_edge& a, const Face_at_edge& b)
+            {
+              if (a.low != b.low) return a.low < b.low;
+              if (a.high != b.high) return a.high < b.high;
+              const auto &p = raw.positions[a.face], &q = raw.positions[b.face];
+              return p != q ? p < q : a.face < b.face;
+            });
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < at_edges.size(); ++i)
+  {
+    if (at_edges[i].low != at_edges[first].low || at_edges[i].high != at_edges[first].high)
+      first = i;
+    else if (at_edges[i].face != at_edges[first].face)
+      raw.links.push_back({at_edges[first].face, at_edges[i].face});
+  }
+}
+
 /// reads a polygon soup as one point a polygon, with links between those that share an edge. The
 /// normals are made consistent, see `orient_soup()`.
 /// \throws std::invalid_argument if an index is out of range or a polygon has under 3 corners.
@@ -249,7 +278,7 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
   control.check();
 
   Raw_points raw;
-  std::map<std::pair<std::size_t, std::size_t>, Index> first_at_edge;
+  std::vector<Face_at_edge> at_edges;
   std::vector<Coordinates> corners;
   std::vector<std::size_t> vertices, all_vertices;
   for (const auto& polygon : polygons)
@@ -273,14 +302,15 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
     control.check_sometimes();
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      const auto edge = std::minmax(vertices[i], vertices[(i + 1) % vertices.size()]);
-      const auto [slot, is_new] = first_at_edge.emplace(edge, f);
-      if (!is_new && slot->second != f) raw.links.push_back({slot->second, f});
+      const auto [low, high] = std::minmax(vertices[i], vertices[(i + 1) % vertices.size()]);
+      at_edges.push_back({low, high, f});
     }
     all_vertices.insert(all_vertices.end(), vertices.begin(), vertices.end());
   }
   control.check();
   scale_polygons(raw);
+  link_across_edges(std::move(at_edges), raw);
+  control.check();
   if (!raw.positions.empty()) orient_soup(all_vertices, raw.first_corner, raw);
   return raw;
 }

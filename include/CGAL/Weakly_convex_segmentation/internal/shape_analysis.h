@@ -69,8 +69,8 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
                   const Raw_points& faces = is_rough ? smoothed : raw;
                   const bool has_more = sample_faces(faces, parameters, sampled);
                   control.check();
-                  shape->input =
-                      orient_points(has_more ? sampled : faces, control.parallel, control);
+                  shape->input = orient_points(has_more ? sampled : faces, control.parallel,
+                                               control, parameters.align_principal_axes);
                   control.check();
                   shape->representatives =
                       choose_representatives(shape->input, parameters.number_of_representatives,
