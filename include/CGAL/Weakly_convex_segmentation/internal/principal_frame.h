@@ -55,8 +55,8 @@ struct Bounding_cube
 };
 
 /// returns the bounding cube of points that are turned by a frame first.
-inline Bounding_cube bounding_cube(const std::vector<Coordinates>& positions, const Frame& frame = {},
-                            const bool parallel = false)
+inline Bounding_cube bounding_cube(const std::vector<Coordinates>& positions,
+                                   const Frame& frame = {}, const bool parallel = false)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   struct Box
