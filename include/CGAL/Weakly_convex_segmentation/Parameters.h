@@ -112,8 +112,8 @@ struct Parameters
   /// Whether all normals are turned, for the run, where the shape is closed and its normals point
   /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
   bool flip_inward_normals = true;
-  /// Whether the shape is turned into its principal axes for the run, so that it is cut the same however
-  /// it lies.
+  /// Whether the shape is turned by its principal axes for the run, always aslant to them in the same way,
+  /// so that it is cut the same however it lies.
   bool align_principal_axes = true;
   /// whether the faces of a mesh count as neighbors where they share an edge
   bool use_mesh_adjacency = true;

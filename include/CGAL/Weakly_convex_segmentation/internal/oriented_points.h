@@ -40,8 +40,8 @@ struct Raw_points
   int exponent = 0; ///< lengths of the input are those here, times 2 to the power of this
 };
 
-/// Points in the frame of the method: centered at the centroid, extent 1, in spatial order; along the
-/// coordinate axes of the input or along the shape's own.
+/// Points in the frame of the method: centered at the centroid, extent 1, in spatial order; as they lie in
+/// the input, or turned with the shape's own axes.
 struct Oriented_points
 {
   std::vector<Vector3> positions;
@@ -96,15 +96,13 @@ inline std::vector<Index> spatial_order(const Raw_points& raw, const Frame& fram
     Index index;
   };
   std::vector<Keyed> keyed(raw.positions.size());
-  const double side = cube.side > 0. ? cube.side : 1.; // its reciprocal may overflow
   parallel_for(
       keyed.size(), parallel,
       [&](const std::size_t i)
       {
-        const Coordinates p = frame(raw.positions[i]);
+        const Coordinates p = cube.within(frame(raw.positions[i]));
         std::array<std::uint64_t, 3> cell;
-        for (int c = 0; c < 3; ++c)
-          cell[c] = static_cast<std::uint64_t>((p[c] - cube.corner[c]) / side * 2097151.);
+        for (int c = 0; c < 3; ++c) cell[c] = static_cast<std::uint64_t>(p[c] * 2097151.);
         keyed[i].key = spread_bits(cell[0]) | spread_bits(cell[1]) << 1 | spread_bits(cell[2]) << 2;
         keyed[i].index = static_cast<Index>(i);
       },
@@ -125,25 +123,19 @@ inline std::vector<Index> spatial_order(const Raw_points& raw, const Frame& fram
   return order;
 }
 
-/// The sphere about the centroid that holds all points, in a unit of its own.
+/// The sphere about the centroid that holds all points, within a bounding cube.
 struct Bounding_ball
 {
   std::array<double, 3> center = {0., 0., 0.};
   double radius = 0.;
 };
 
-/// returns the ball of `(p - corner) / side` of the points in a frame. The sum over the points is in the
-/// order given, so that it does not depend on that of the input.
+/// returns the ball of the points in a frame. The sum over the points is in the order given, so that it
+/// does not depend on that of the input.
 inline Bounding_ball bounding_ball(const std::vector<Coordinates>& positions, const Frame& frame,
                                    const std::vector<Index>& order, const Bounding_cube& cube,
-                                   const double side, const bool parallel)
+                                   const bool parallel)
 {
-  const auto within_cube = [&](const std::size_t i) -> Coordinates
-  {
-    Coordinates p = frame(positions[i]);
-    for (int c = 0; c < 3; ++c) p[c] = (p[c] - cube.corner[c]) / side;
-    return p;
-  };
   Bounding_ball ball;
   for (const auto& sum : map_blocks(order.size(), parallel,
                                     [&](const std::size_t begin, const std::size_t end)
@@ -151,7 +143,8 @@ inline Bounding_ball bounding_ball(const std::vector<Coordinates>& positions, co
                                       Coordinates own = {0., 0., 0.};
                                       for (std::size_t i = begin; i < end; ++i)
                                       {
-                                        const Coordinates p = within_cube(order[i]);
+                                        const Coordinates p =
+                                            cube.within(frame(positions[order[i]]));
                                         for (int c = 0; c < 3; ++c) own[c] += p[c];
                                       }
                                       return own;
@@ -163,7 +156,7 @@ inline Bounding_ball bounding_ball(const std::vector<Coordinates>& positions, co
                                            double largest = 0.;
                                            for (std::size_t i = begin; i < end; ++i)
                                            {
-                                             const Coordinates p = within_cube(i);
+                                             const Coordinates p = cube.within(frame(positions[i]));
                                              double sum = 0.;
                                              for (int c = 0; c < 3; ++c)
                                                sum += (p[c] - ball.center[c]) *
@@ -195,8 +188,8 @@ renamed_links(const std::vector<std::array<Index, 2>>& links, const std::vector<
 /// brings the input into the frame of the method.
 ///
 /// The extent is measured from the centroid: unlike a bounding box it does not change under
-/// rotation. With `along_axes` the shape is turned into its principal axes. Complexity: O(n log n) for
-/// the spatial sort.
+/// rotation. With `along_axes` the positions do not either, see `principal_frame()`. Complexity:
+/// O(n log n) for the spatial sort.
 /// \throws std::invalid_argument if there are no points, too many for 32 bits, or coordinates that
 /// are not finite.
 inline Oriented_points orient_points(const Raw_points& raw, const bool parallel = false,
@@ -215,12 +208,10 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
   const std::vector<Index> order = spatial_order(raw, frame, cube, parallel);
   control.check();
 
-  // relative to the corner, against cancellation, and to the side, whose square may overflow
-  const double side = cube.side > 0. ? cube.side : 1.;
-  const Bounding_ball ball = bounding_ball(raw.positions, frame, order, cube, side, parallel);
+  const Bounding_ball ball = bounding_ball(raw.positions, frame, order, cube, parallel);
   std::array<double, 3> centroid = ball.center;
-  for (double& c : centroid) c *= side;
-  points.extent = ball.radius > 0. ? 2. * ball.radius * side : 1.;
+  for (double& c : centroid) c *= cube.unit();
+  points.extent = ball.radius > 0. ? 2. * ball.radius * cube.unit() : 1.;
 
   control.check();
   points.positions.resize(n);

@@ -52,6 +52,13 @@ struct Bounding_cube
 {
   Coordinates corner;
   double side;
+
+  double unit() const { return side > 0. ? side : 1.; }
+  /// returns where a point lies, against cancellation and overflow: each coordinate in `[0, 1]`.
+  Coordinates within(const Coordinates& p) const // the reciprocal of the side may overflow
+  {
+    return {(p[0] - corner[0]) / unit(), (p[1] - corner[1]) / unit(), (p[2] - corner[2]) / unit()};
+  }
 };
 
 /// returns the bounding cube of points that are turned by a frame first.
@@ -183,15 +190,10 @@ inline Eigen::Matrix3d aslant()
 inline Frame principal_frame(const std::vector<Coordinates>& positions, const bool parallel)
 {
   const Bounding_cube cube = bounding_cube(positions, Frame(), parallel);
-  const double side = cube.side > 0. ? cube.side : 1.; // its reciprocal may overflow
   const auto point = [&](const std::size_t i)
   {
-    Eigen::Vector3d v;
-    for (int c = 0; c < 3; ++c)
-      v[c] =
-          (positions[i][static_cast<std::size_t>(c)] - cube.corner[static_cast<std::size_t>(c)]) /
-          side;
-    return v;
+    const Coordinates p = cube.within(positions[i]);
+    return Eigen::Vector3d(p[0], p[1], p[2]);
   };
   const Spread spread = measure_spread(positions.size(), parallel, point);
   Eigen::Matrix3d axes =

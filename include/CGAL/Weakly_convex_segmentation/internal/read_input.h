@@ -232,32 +232,18 @@ inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& 
   return welded;
 }
 
-/// A face and the vertices of one of its edges, the smaller one first.
-struct Face_at_edge
+/// links the polygons at each edge: if there are more than two, all with the one of lowest coordinates, so
+/// that the links do not depend on the order of the polygons.
+inline void link_across_edges(const std::vector<Polygon_side>& sides, Raw_points& raw)
 {
-  std::size_t low, high;
-  Index face;
-};
-
-/// links the faces at each edge: if there are more than two, all with the one of lowest coordinates, so
-/// that the links do not depend on the order of the faces.
-inline void link_across_edges(std::vector<Face_at_edge> at_edges, Raw_points& raw)
-{
-  std::sort(at_edges.begin(), at_edges.end(),
-            [&raw](const Face_at_edge& a, const Face_at_edge& b)
-            {
-              if (a.low != b.low) return a.low < b.low;
-              if (a.high != b.high) return a.high < b.high;
-              const auto &p = raw.positions[a.face], &q = raw.positions[b.face];
-              return p != q ? p < q : a.face < b.face;
-            });
-  std::size_t first = 0;
-  for (std::size_t i = 1; i < at_edges.size(); ++i)
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end)
   {
-    if (at_edges[i].low != at_edges[first].low || at_edges[i].high != at_edges[first].high)
-      first = i;
-    else if (at_edges[i].face != at_edges[first].face)
-      raw.links.push_back({at_edges[first].face, at_edges[i].face});
+    Index lowest = sides[i].face;
+    for (; end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high;
+         ++end)
+      if (raw.positions[sides[end].face] < raw.positions[lowest]) lowest = sides[end].face;
+    for (std::size_t j = i; j < end; ++j)
+      if (sides[j].face != lowest) raw.links.push_back({lowest, sides[j].face});
   }
 }
 
@@ -278,14 +264,12 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
   control.check();
 
   Raw_points raw;
-  std::vector<Face_at_edge> at_edges;
   std::vector<Coordinates> corners;
-  std::vector<std::size_t> vertices, all_vertices;
+  std::vector<std::size_t> vertices;
   for (const auto& polygon : polygons)
   {
     const Index f = static_cast<Index>(raw.positions.size());
     corners.clear();
-    vertices.clear();
     for (const auto v : polygon)
     {
       const std::size_t i = static_cast<std::size_t>(v);
@@ -300,18 +284,13 @@ Raw_points read_soup(const PointRange& points, const PolygonRange& polygons, con
       throw std::invalid_argument("polygon " + std::to_string(f) + " has fewer than 3 corners");
     add_polygon(corners, raw);
     control.check_sometimes();
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      const auto [low, high] = std::minmax(vertices[i], vertices[(i + 1) % vertices.size()]);
-      at_edges.push_back({low, high, f});
-    }
-    all_vertices.insert(all_vertices.end(), vertices.begin(), vertices.end());
   }
   control.check();
   scale_polygons(raw);
-  link_across_edges(std::move(at_edges), raw);
+  const std::vector<Polygon_side> sides = sorted_sides(vertices, raw.first_corner);
   control.check();
-  if (!raw.positions.empty()) orient_soup(all_vertices, raw.first_corner, raw);
+  link_across_edges(sides, raw);
+  orient_soup(sides, raw);
   return raw;
 }
 

@@ -188,19 +188,17 @@ inline std::vector<std::array<double, 6>> boxes_of(const Raw_points& raw, const 
   return boxes;
 }
 
-/// turns the normals of `raw`, one a polygon, for a soup of welded vertices: polygons agree across
+/// turns the normals of `raw`, one a polygon, for the sides of a soup of welded vertices: polygons agree across
 /// edges of two polygons, as most of their piece have it; closed pieces of negative volume are turned
 /// unless they lie within the box of another, where they may bound a cavity. Surfaces that are
 /// oriented and have their normals outwards stay as they are.
 ///
 /// Complexity: O(n log n), and O(p) a closed piece of negative volume, for p pieces.
 /// \returns the number of turned polygons
-inline std::size_t orient_soup(const std::vector<std::size_t>& vertices,
-                               const std::vector<std::size_t>& first, Raw_points& raw)
+inline std::size_t orient_soup(const std::vector<Polygon_side>& sides, Raw_points& raw)
 {
   std::vector<char> has_open_edge(raw.positions.size(), 0);
-  Soup_pieces pieces =
-      find_pieces(across_edges(sorted_sides(vertices, first), has_open_edge), has_open_edge);
+  Soup_pieces pieces = find_pieces(across_edges(sides, has_open_edge), has_open_edge);
   keep_majority(pieces);
   std::vector<std::array<double, 6>> boxes;
   for (std::size_t p = 0; p + 1 < pieces.first.size(); ++p)

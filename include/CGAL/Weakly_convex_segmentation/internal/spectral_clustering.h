@@ -20,9 +20,10 @@
 //
 // k-means sees only distances in the space of the lowest eigenvectors of the normalized Laplacian, not
 // the vectors themselves, so any basis of that space will do: a low-pass filter of the graph's spectrum
-// makes one out of the indicators of as many cells as clusters are wanted. The same cells are what
-// k-means starts from, so that little is left to chance, and it only asks for the clusters of a node's
-// neighbors. All of it takes a fraction of the time of eigenvectors and of k-means as they are.
+// makes one out of the indicators of as many cells as it has dimensions. From those cells, divided on into
+// as many as clusters are wanted, k-means starts, so that little is left to chance, and it only asks for the
+// clusters of a node's neighbors. All of it takes a fraction of the time of eigenvectors and of k-means
+// as they are.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
