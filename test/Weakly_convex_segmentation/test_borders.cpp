@@ -193,6 +193,51 @@ BOOST_AUTO_TEST_CASE(a_border_out_of_reach_of_the_edge_stays_off_it)
   }
 }
 
+BOOST_AUTO_TEST_CASE(borders_come_to_a_neck_from_beyond_the_band)
+{
+  Raw_points raw; // two cones that meet in a narrow neck
+  constexpr int rings = 80;
+  for (int i = 0; i < rings; ++i)
+  {
+    const double z = (2. * i + 1.) / rings - 1., radius = 0.1 + 0.6 * std::abs(z);
+    const int around = static_cast<int>(220. * radius); // about equally dense
+    for (int k = 0; k < around; ++k)
+    {
+      const double angle = (k + 0.5 * (i % 2)) * 6.283185307179586 / around;
+      add_point(raw, {radius * std::cos(angle), radius * std::sin(angle), z},
+                {std::cos(angle), std::sin(angle), z < 0. ? 0.6 : -0.6});
+    }
+  }
+  const Surface surface(raw);
+  const auto wanted = surface.labels([](const Coordinates& p) { return p[2] < 0. ? 0 : 1; });
+  Parameters parameters = rule(Refinement_rule::SEAM_CUTS);
+  for (const double begin : {-0.2, -0.1, 0.1, 0.2}) // the band is 0.16 wide on either side
+  {
+    auto labels = surface.labels([begin](const Coordinates& p) { return p[2] < begin ? 0 : 1; });
+    refine_borders(surface.graph, parameters, labels);
+    BOOST_CHECK_LT(number_of_differences(labels, wanted), 10u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_border_moves_as_far_in_dense_points)
+{
+  std::vector<double> moved;
+  for (const int n : {60, 180})
+  {
+    const Surface surface(plane(n).raw, 8);
+    const auto toothed = surface.labels(
+        [](const Coordinates& p) {
+          return p[0] > 0.5 + zigzag({0., p[1] / 2., 0.}) ? 1 : 0;
+        });
+    auto labels = toothed;
+    refine_borders(surface.graph, rule(Refinement_rule::SEAM_CUTS), labels);
+    moved.push_back(static_cast<double>(number_of_differences(labels, toothed)) / (n * n));
+  }
+  BOOST_TEST_MESSAGE("share that moves: " << moved[0] << ", " << moved[1]);
+  BOOST_CHECK_GT(moved[0], 0.01);
+  BOOST_CHECK_CLOSE(moved[1], moved[0], 10.);
+}
+
 BOOST_AUTO_TEST_CASE(straight_borders_on_a_plane_stay)
 {
   const Surface surface(plane(40).raw, 8); // a tenth would be a choice among equals on a grid

@@ -257,11 +257,12 @@ struct Parameters
   /// @{
 
   /// half width of the band in which a border may move, relative to the extent; `[0, 1]`, 0: nothing moves
-  double band_width = 0.015;
+  double band_width = 0.025;
   /// exponent of the distance in the data cost (equation 4); `[0, 100]`
   double data_exponent = 1.5;
-  /// weight of the data cost against the smoothness cost; `[0, 1e6]`
-  double data_weight = 1.;
+  /// Weight of the data cost against the smoothness cost; `[0, 1e6]`. With `Refinement_rule::SEAM_CUTS` it is
+  /// multiplied by the spacing of the points over the band's width, so that density matters little.
+  double data_weight = 1.5;
   /// `Refinement_rule::SEAM_CUTS`: concavity in degrees that halves the cost of an edge; `[0.001, 180]`
   double smoothness_angle = 10.;
 
@@ -305,6 +306,7 @@ inline Parameters Parameters::paper()
   p.seam_concavity_tolerance = 9.; // epsilon = 0.05 pi
   p.diameter_cone_angle = 20.;     // alpha = 2 pi / 18, read as the full opening
   p.minimum_segment_share = 0.;
+  p.band_width = 0.015;
   p.data_weight = 0.1;
   return p;
 }

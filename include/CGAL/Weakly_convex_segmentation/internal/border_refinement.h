@@ -17,6 +17,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -144,10 +145,21 @@ inline Seams find_seams(const Neighbor_graph& graph, const std::vector<int>& lab
   return seams;
 }
 
-/// cuts one seam; `before` are the labels of all points before any cut.
+/// returns the cost of moving a point that is a band's width from the border (equations 3 and 4). The
+/// points in an area number as the square of the edges across a line, so it goes with the spacing: else
+/// borders would move less in denser points.
+inline double cost_of_move(const Neighbor_graph& graph, const Parameters& parameters)
+{
+  const double sum = std::accumulate(graph.spacing.begin(), graph.spacing.end(), 0.);
+  return parameters.data_weight * sum /
+         (static_cast<double>((std::max)(graph.size(), std::size_t(1))) * parameters.band_width);
+}
+
+/// cuts one seam; `before` are the labels of all points before any cut, `dearest` is the cost of moving
+/// a point at the edge of the band.
 inline void cut_seam(const Neighbor_graph& graph, const Seams& seams, const Index seam,
-                     const std::vector<int>& before, const Parameters& parameters,
-                     std::vector<int>& labels)
+                     const std::vector<int>& before, const double dearest,
+                     const Parameters& parameters, std::vector<int>& labels)
 {
   const Border_cost border(parameters.smoothness_angle);
   const auto [a, b] = seams.labels[seam];
@@ -159,10 +171,8 @@ inline void cut_seam(const Neighbor_graph& graph, const Seams& seams, const Inde
   for (std::size_t n = 0; n < points.size(); ++n)
   {
     const Index i = points[n];
-    // equations 3 and 4: a point far from the border is dear to move
-    const double move =
-        parameters.data_weight *
-        std::pow(seams.band[i].distance / parameters.band_width, parameters.data_exponent);
+    const double move = dearest * std::pow(seams.band[i].distance / parameters.band_width,
+                                           parameters.data_exponent);
     double cost_of_a = before[i] == a ? 0. : move, cost_of_b = before[i] == b ? 0. : move;
     for (const Neighbor& edge : graph[i])
     {
@@ -190,10 +200,11 @@ inline void cut_seams(const Neighbor_graph& graph, const Parameters& parameters,
   const std::vector<int> before = labels;
   const Seams seams =
       find_seams(graph, before, static_cast<float>(parameters.band_width), parallel);
+  const double dearest = cost_of_move(graph, parameters);
   parallel_for(
       seams.members.size(), parallel,
       [&](const std::size_t s)
-      { cut_seam(graph, seams, static_cast<Index>(s), before, parameters, labels); },
+      { cut_seam(graph, seams, static_cast<Index>(s), before, dearest, parameters, labels); },
       1);
 }
 
