@@ -239,8 +239,9 @@ BOOST_AUTO_TEST_CASE(the_bound_of_normals_holds_and_is_tight_along_a_wire)
   for (const float unevenness : {1.f, 0.1f, 0.001f, 0.f})
   {
     const std::vector<Disk> disks = random_disks(300, unevenness, random);
-    const Normal_bound bound(disks.begin(), disks.end(),
-                             [](const Disk& disk) { return disk.normal; });
+    std::vector<Vector3> normals;
+    for (const Disk& disk : disks) normals.push_back(disk.normal);
+    const Normal_bound bound(normals);
     for (int line = 0; line < 300; ++line)
     {
       const Vector3 direction = random_vector(random, 1.f);

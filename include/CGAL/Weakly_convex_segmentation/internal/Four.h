@@ -24,6 +24,7 @@ class Four
 public:
   Four() = default; ///< of any values
   explicit Four(const float all) : m_array(Array::Constant(all)) {}
+  Four(const float a, const float b, const float c, const float d) : m_array(a, b, c, d) {}
 
   float operator[](const int i) const { return m_array.coeff(i); }
   float& operator[](const int i) { return m_array.coeffRef(i); }
@@ -35,6 +36,8 @@ public:
   friend Four minimum(const Four& a, const Four& b) { return Four(a.m_array.min(b.m_array)); }
   friend Four maximum(const Four& a, const Four& b) { return Four(a.m_array.max(b.m_array)); }
   friend float sum(const Four& a) { return a.m_array.sum(); }
+  friend float smallest(const Four& a) { return a.m_array.minCoeff(); }
+  friend float largest(const Four& a) { return a.m_array.maxCoeff(); }
 };
 
 } // namespace internal

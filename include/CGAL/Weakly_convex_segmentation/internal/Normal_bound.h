@@ -7,6 +7,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/Vector3.h>
 
 #include <algorithm>
+#include <vector>
 
 // How steeply a line can meet any of some disks: along a wire or a flat face it meets none of thousands
 // at more than a grazing angle, and they need not be looked at.
@@ -59,13 +60,12 @@ struct Symmetric_matrix
 class Normal_bound
 {
 public:
-  /// bounds the normals of `[first, last)`, which is not empty; `normal_of` returns that of an element.
-  template <typename Iterator, typename NormalOf>
-  Normal_bound(const Iterator first, const Iterator last, const NormalOf& normal_of)
+  /// bounds the normals, of which there is one at least.
+  explicit Normal_bound(const std::vector<Vector3>& normals)
   {
     // the ellipsoid of their covariance is as flat as they lie, and blown up until it holds them all
-    for (Iterator it = first; it != last; ++it) m_matrix.add_square(normal_of(*it));
-    m_matrix.scale(1. / static_cast<double>(last - first));
+    for (const Vector3& normal : normals) m_matrix.add_square(normal);
+    m_matrix.scale(1. / static_cast<double>(normals.size()));
     constexpr double rounding = 1e-6; // makes it regular
     m_matrix.xx += rounding;
     m_matrix.yy += rounding;
@@ -73,8 +73,7 @@ public:
     const Symmetric_matrix adjugate = m_matrix.adjugate();
     const double determinant = m_matrix.determinant();
     double largest = 0.;
-    for (Iterator it = first; it != last; ++it)
-      largest = (std::max)(largest, adjugate.form(normal_of(*it)));
+    for (const Vector3& normal : normals) largest = (std::max)(largest, adjugate.form(normal));
     const double blow = 1.001 * largest / determinant;
     m_matrix.scale(blow);
     // the two larger eigenvalues of the covariance have a product of at most 1/4: their sum is under 1
