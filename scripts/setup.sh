@@ -15,7 +15,7 @@
 set -euo pipefail
 
 build=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libeigen3-dev
-       libtbb-dev nlohmann-json3-dev)
+       libspectra-dev libtbb-dev nlohmann-json3-dev)
 picture=(f3d xvfb xauth)
 test=(libbenchmark-dev clang-14 clang-format-14 python3)
 doc=(doxygen)

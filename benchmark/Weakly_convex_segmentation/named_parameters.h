@@ -72,7 +72,6 @@ inline std::map<std::string, Setter> setters()
       {"number_of_patch_sets", setter(&P::number_of_patch_sets)},
       {"number_of_supervoxels", setter(&P::number_of_supervoxels)},
       {"spectral_dimensions", setter(&P::spectral_dimensions)},
-      {"spectral_filter_degree", setter(&P::spectral_filter_degree)},
       {"patch_concavity_tolerance", setter(&P::patch_concavity_tolerance)},
       {"concave_edge_weight", setter(&P::concave_edge_weight)},
       {"minimum_patch_size", setter(&P::minimum_patch_size)},

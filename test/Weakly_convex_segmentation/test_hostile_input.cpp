@@ -355,7 +355,6 @@ BOOST_AUTO_TEST_CASE(extreme_parameters)
     p.number_of_patches = count({1, 2, 50, 400});
     p.number_of_supervoxels = count({1, 2, 100, 20000});
     p.spectral_dimensions = pick({0.01, 0.5, 1.});
-    p.spectral_filter_degree = count({1, 24, 100});
     p.patch_concavity_tolerance = pick({0., 5., 180.});
     p.concave_edge_weight = pick({0., 0.001, 1.});
     p.minimum_patch_size = count({0, 5, 1e9});

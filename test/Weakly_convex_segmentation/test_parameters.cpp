@@ -52,7 +52,6 @@ std::map<std::string, Range> ranges()
                                          {"number_of_patch_sets", {1., 100.}},
                                          {"number_of_supervoxels", {1., 20000.}},
                                          {"spectral_dimensions", {0.01, 1.}},
-                                         {"spectral_filter_degree", {1., 1000.}},
                                          {"patch_concavity_tolerance", {0., 180.}},
                                          {"face_sampling_factor", {0., 1000.}},
                                          {"concave_edge_weight", {0., 1.}},
@@ -91,11 +90,10 @@ std::map<std::string, Range> ranges()
 
 bool is_count(const std::string& name)
 {
-  static const std::set<std::string> counts = {"number_of_neighbors",  "number_of_representatives",
-                                               "number_of_patches",    "number_of_supervoxels",
-                                               "number_of_patch_sets", "samples_per_patch",
-                                               "histogram_bins",       "diameter_samples",
-                                               "diameter_rays",        "spectral_filter_degree"};
+  static const std::set<std::string> counts = {
+      "number_of_neighbors",   "number_of_representatives", "number_of_patches",
+      "number_of_supervoxels", "number_of_patch_sets",      "samples_per_patch",
+      "histogram_bins",        "diameter_samples",          "diameter_rays"};
   return counts.count(name) > 0;
 }
 
@@ -145,7 +143,6 @@ std::vector<Setting> settings()
           {"number_of_patch_sets", "default", "hand", 1.},
           {"number_of_supervoxels", "default", "dumbbell", 400.},
           {"spectral_dimensions", "default", "dumbbell", 1.},
-          {"spectral_filter_degree", "default", "dumbbell", 4.},
           {"patch_concavity_tolerance", "default", "dumbbell", 40.},
           {"concave_edge_weight", "default", "dumbbell", 1.},
           {"minimum_patch_size", "default", "dumbbell", 60.},

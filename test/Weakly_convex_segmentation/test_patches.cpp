@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,11 +21,22 @@
 
 namespace {
 
+using CGAL::Weakly_convex_segmentation::Convexity_graph;
 using CGAL::Weakly_convex_segmentation::Parameters;
+using CGAL::Weakly_convex_segmentation::Spectral_patch_clustering;
+using CGAL::Weakly_convex_segmentation::Voronoi_patch_clustering;
 using namespace CGAL::Weakly_convex_segmentation::internal;
 using namespace Shapes_for_tests;
 
-using Edges = std::vector<Weighted_edge>;
+using Edges = std::vector<Convexity_graph::Edge>;
+
+std::vector<Index> spectral_clusters(const std::size_t size, const Edges& edges,
+                                     const std::size_t count, const Parameters& parameters,
+                                     const unsigned int seed)
+{
+  const Spectral_patch_clustering clustering(parameters.spectral_dimensions);
+  return clusters_of(clustering, {size, edges}, count)(seed);
+}
 
 void add_clique(Edges& edges, const Index first, const Index size)
 {
@@ -165,6 +177,41 @@ BOOST_AUTO_TEST_CASE(as_many_clusters_as_nodes_need_no_eigenvectors)
       (spectral_clusters(3, {{0, 1, 1.}, {1, 2, 1.}}, 5, {}, 0) == std::vector<Index>{0, 1, 2}));
   BOOST_CHECK((spectral_clusters(4, {{0, 1, 1.}, {2, 3, 1.}, {1, 2, 1.}}, 1, {}, 0) ==
                std::vector<Index>(4, 0)));
+}
+
+BOOST_AUTO_TEST_CASE(cells_about_distant_nodes_cover_the_graph_and_are_connected)
+{
+  constexpr Index side = 30;
+  Edges edges;
+  for (Index i = 0; i < side * side; ++i)
+  {
+    if (i % side < side - 1) edges.push_back({i, i + 1, 1.});
+    if (i < side * (side - 1)) edges.push_back({i, i + side, 1.});
+  }
+  const auto clusters = Voronoi_patch_clustering()({side * side, edges}, 12);
+  std::vector<std::pair<Index, Index>> pairs;
+  for (const auto& e : edges) pairs.push_back({e.first, e.second});
+  const Neighbor_graph graph = flat_graph(side * side, pairs);
+  for (unsigned int seed = 0; seed < 3; ++seed)
+  {
+    const std::vector<Index> cluster = clusters(seed);
+    BOOST_REQUIRE_EQUAL(cluster.size(), side * side);
+    BOOST_CHECK(cluster == clusters(seed));
+    BOOST_CHECK_EQUAL(std::set<Index>(cluster.begin(), cluster.end()).size(), 12u);
+    const Pieces pieces = connected_pieces(graph, cluster);
+    BOOST_CHECK_EQUAL(pieces.sizes.size(), 12u);
+    for (const std::size_t size : pieces.sizes) BOOST_CHECK_GT(size, side * side / 12 / 4);
+  }
+  BOOST_CHECK(clusters(0) != clusters(1));
+}
+
+BOOST_AUTO_TEST_CASE(a_clustering_that_leaves_nodes_out_is_refused)
+{
+  const auto lazy = [](const Convexity_graph&, std::size_t)
+  { return [](unsigned int) { return std::vector<Index>(3, 0); }; };
+  const Shape shape(Shape_generator::make_mesh("figure", 2000));
+  BOOST_CHECK_THROW(extract_patch_sets(shape.points, shape.graph, Parameters(), false, lazy),
+                    std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(disconnected_pieces_are_never_in_one_patch)

@@ -4,123 +4,143 @@
 #define BOOST_TEST_MODULE Spectral_embedding
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/spectral_clustering.h>
+#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <vector>
 
-// The low-pass filter of a graph's spectrum, on graphs whose eigenvectors are waves.
+// The lowest eigenvectors of a graph's Laplacian, on graphs whose eigenvectors are known.
 
 namespace {
 
+using CGAL::Weakly_convex_segmentation::Convexity_graph;
+using CGAL::Weakly_convex_segmentation::Spectral_patch_clustering;
 using namespace CGAL::Weakly_convex_segmentation::internal;
 
 const double pi = std::acos(-1.);
 
-Normalized_graph torus(const Index columns, const Index rows)
+/// a torus of squares: its eigenvectors are waves, and all but one have several of the same length
+Convexity_graph torus(const Index columns, const Index rows)
 {
-  std::vector<Weighted_edge> edges;
+  Convexity_graph graph;
+  graph.number_of_nodes = columns * rows;
   for (Index y = 0; y < rows; ++y)
     for (Index x = 0; x < columns; ++x)
     {
-      edges.push_back({y * columns + x, y * columns + (x + 1) % columns, 1.});
-      edges.push_back({y * columns + x, (y + 1) % rows * columns + x, 1.});
+      graph.edges.push_back({y * columns + x, y * columns + (x + 1) % columns, 1.});
+      graph.edges.push_back({y * columns + x, (y + 1) % rows * columns + x, 1.});
     }
-  return Normalized_graph(columns * rows, edges);
+  return graph;
 }
 
-double product(const Row_matrix& rows, const std::size_t a, const std::size_t b)
+/// a ring of cliques of ten that hardly hang together: as many eigenvalues as cliques are nearly 1
+Convexity_graph ring_of_cliques(const Index count, const double weight)
 {
-  double sum = 0.;
-  for (std::size_t i = 0; i < rows.rows(); ++i)
-    sum += static_cast<double>(rows.at(i, a)) * rows.at(i, b);
-  return sum;
+  Convexity_graph graph;
+  graph.number_of_nodes = 10 * count;
+  for (Index c = 0; c < count; ++c)
+  {
+    for (Index i = 0; i < 10; ++i)
+      for (Index j = 0; j < i; ++j) graph.edges.push_back({10 * c + j, 10 * c + i, 1.});
+    graph.edges.push_back({10 * c + 9, 10 * ((c + 1) % count), weight});
+  }
+  return graph;
+}
+
+/// the share of a vector that lies in the space of orthonormal columns
+double share_in_space(const Eigen::MatrixXf& columns, const Eigen::VectorXf& vector)
+{
+  return (columns.transpose() * vector).squaredNorm() / vector.squaredNorm();
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(the_filter_keeps_long_waves_and_takes_short_ones_away)
+BOOST_AUTO_TEST_CASE(a_normalized_adjacency_has_the_eigenvalue_one_for_the_degrees)
 {
-  constexpr std::size_t n = 60;
-  std::vector<Weighted_edge> edges;
-  for (Index i = 0; i < n; ++i) edges.push_back({i, static_cast<Index>((i + 1) % n), 1.});
-  const Normalized_graph cycle(n, edges);
-  const auto coefficients = step_coefficients(0.25 * pi, 36);
-  double before = 2.;
-  for (std::size_t wave = 0; wave <= n / 2; ++wave)
-  {
-    Row_matrix rows(n, 1);
-    const auto value = [&](const std::size_t i)
-    { return std::cos(2. * pi * static_cast<double>(wave * i) / n); };
-    for (std::size_t i = 0; i < n; ++i) rows.at(i, 0) = static_cast<float>(value(i));
-    const Row_matrix filtered = filter_rows(cycle, coefficients, rows);
-    const double kept = filtered.at(0, 0); // of 1
-    for (std::size_t i = 0; i < n; ++i)    // a wave is an eigenvector: it stays what it is
-      BOOST_REQUIRE_SMALL(filtered.at(i, 0) - kept * value(i), 1e-4);
-    BOOST_CHECK_LT(kept, before + 1e-4); // monotone
-    if (wave <= 3) BOOST_CHECK_GT(kept, 0.99);
-    if (wave >= 13) BOOST_CHECK_LT(kept, 0.01);
-    before = kept;
-  }
+  Convexity_graph path;
+  path.number_of_nodes = 3;
+  path.edges = {{0, 1, 4.}, {2, 1, 1.}};
+  const Eigen::MatrixXf matrix = Eigen::MatrixXf(normalized_adjacency(path));
+  BOOST_CHECK_CLOSE(matrix(0, 1), 4.f / std::sqrt(20.f), 1e-3);
+  BOOST_CHECK_CLOSE(matrix(1, 2), 1.f / std::sqrt(5.f), 1e-3);
+  BOOST_CHECK(matrix == matrix.transpose());
+  const Eigen::Vector3f roots(2.f, std::sqrt(5.f), 1.f);
+  BOOST_CHECK_SMALL((matrix * roots - roots).norm(), 1e-5f);
 }
 
-BOOST_AUTO_TEST_CASE(columns_become_orthonormal_and_dependent_ones_vanish)
+BOOST_AUTO_TEST_CASE(the_longest_waves_lie_in_the_space)
 {
-  Row_matrix rows(50, 4);
-  for (std::size_t i = 0; i < rows.rows(); ++i)
+  constexpr Index columns = 24, rows = 20;
+  const Graph_matrix adjacency = normalized_adjacency(torus(columns, rows));
+  const Eigen::MatrixXf vectors = lanczos_eigenvectors(adjacency, 20, 50);
+  BOOST_REQUIRE_EQUAL(vectors.cols(), 20);
+  BOOST_CHECK_SMALL(
+      (vectors.transpose() * vectors - Eigen::MatrixXf::Identity(20, 20)).cwiseAbs().maxCoeff(),
+      1e-3f);
+  const Eigen::MatrixXf products = adjacency * vectors;
+  for (Eigen::Index k = 0; k < vectors.cols(); ++k)
   {
-    const double x = static_cast<double>(i);
-    const double values[] = {std::sin(x), std::cos(3. * x) + 0.5 * std::sin(x), 2. * std::sin(x),
-                             1. + x / 50.};
-    for (std::size_t c = 0; c < 4; ++c) rows.at(i, c) = static_cast<float>(values[c]);
+    const float value = vectors.col(k).dot(products.col(k));
+    BOOST_CHECK_GT(value, 0.8f); // that of the twentieth is 0.88
+    BOOST_CHECK_SMALL((products.col(k) - value * vectors.col(k)).norm(), 1e-2f);
   }
-  orthonormalize_columns(rows);
-  for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t b = 0; b <= a; ++b)
-      BOOST_CHECK_SMALL(product(rows, a, b) - (a == b && a != 2 ? 1. : 0.), 1e-4);
-}
-
-BOOST_AUTO_TEST_CASE(the_longest_waves_lie_in_the_space_of_the_embedding)
-{
-  constexpr Index columns = 24, height = 20;
-  const Normalized_graph graph = torus(columns, height);
-  constexpr std::size_t count = 20;
-  const Spread_cells both = spread_cells(graph, count, 2 * count, 0);
-  const std::vector<Index>& cells = both.few;
-  BOOST_CHECK_EQUAL(std::set<Index>(both.many.begin(), both.many.end()).size(), 2 * count);
-  BOOST_CHECK_EQUAL(std::set<Index>(cells.begin(), cells.end()).size(), count);
-  Row_matrix rows(graph.size(), count);
-  for (std::size_t i = 0; i < graph.size(); ++i) rows.at(i, cells[i]) = 1.f;
-  Row_matrix unfiltered = rows;
-  orthonormalize_columns(unfiltered);
-  rows =
-      filter_rows(graph, step_coefficients(std::acos(1. - 2.5 * count / graph.size()), 36), rows);
-  orthonormalize_columns(rows);
-  const auto share = [&](const Row_matrix& space, const double phase)
-  {
-    double sum = 0., norm = 0.;
-    for (std::size_t c = 0; c < count; ++c)
-    {
-      double along = 0.;
-      norm = 0.;
-      for (std::size_t i = 0; i < graph.size(); ++i)
-      {
-        const double wave = std::cos(2. * pi * static_cast<double>(i % columns) / columns + phase);
-        along += wave * space.at(i, c);
-        norm += wave * wave;
-      }
-      sum += along * along;
-    }
-    return sum / norm;
-  };
   for (const double phase : {0., 0.5 * pi})
-  {
-    BOOST_CHECK_GT(share(rows, phase), 0.97);
-    BOOST_CHECK_LT(1. - share(rows, phase), 0.5 * (1. - share(unfiltered, phase)));
-  }
-  const Row_matrix embedded = spectral_embedding(graph, cells, count, 36);
-  for (std::size_t i = 0; i < graph.size(); ++i)
-    BOOST_REQUIRE_CLOSE(product_of(embedded.row(i), embedded.row(i), embedded.groups()), 1.f, 1e-2);
+    for (const bool is_along : {false, true})
+    {
+      Eigen::VectorXf wave(columns * rows);
+      for (Index i = 0; i < columns * rows; ++i)
+      {
+        const double turn = is_along ? static_cast<double>(i % columns) / columns
+                                     : static_cast<double>(i / columns) / rows;
+        wave[static_cast<Eigen::Index>(i)] = static_cast<float>(std::cos(2. * pi * turn + phase));
+      }
+      BOOST_CHECK_GT(share_in_space(vectors, wave), 0.999);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(rows_have_unit_length_for_graphs_of_any_size)
+{
+  for (const Index columns : {3u, 4u, 7u, 30u})
+    for (const std::size_t dimensions : {1u, 5u, 24u})
+    {
+      const Graph_matrix adjacency = normalized_adjacency(torus(columns, 4));
+      const Embedding rows = spectral_embedding(adjacency, dimensions);
+      BOOST_REQUIRE_EQUAL(rows.rows(), adjacency.rows());
+      BOOST_CHECK_LE(rows.cols(), adjacency.rows());
+      BOOST_CHECK_GE(rows.cols(), 1);
+      BOOST_CHECK_SMALL((rows.rowwise().norm().array() - 1.f).abs().maxCoeff(), 1e-4f);
+      BOOST_CHECK(rows == spectral_embedding(adjacency, dimensions));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(nearly_separate_pieces_are_found_though_their_eigenvalues_are_equal)
+{
+  for (const double weight : {1e-2, 1e-6})
+    for (const Index cliques : {12u, 60u})
+    {
+      const Convexity_graph graph = ring_of_cliques(cliques, weight);
+      const auto clusters = Spectral_patch_clustering(1.)(graph, cliques);
+      const std::vector<Index> cluster = clusters(7);
+      std::map<Index, std::set<Index>> cliques_of_cluster;
+      for (Index i = 0; i < cluster.size(); ++i) cliques_of_cluster[cluster[i]].insert(i / 10);
+      BOOST_CHECK_EQUAL(cliques_of_cluster.size(), cliques);
+      for (const auto& entry : cliques_of_cluster) BOOST_CHECK_EQUAL(entry.second.size(), 1u);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_converge_is_left_out)
+{
+  // in a space of hardly more dimensions than are wanted, the solver runs out of restarts
+  const Graph_matrix adjacency = normalized_adjacency(torus(60, 50));
+  const Eigen::MatrixXf vectors = lanczos_eigenvectors(adjacency, 100, 101);
+  BOOST_REQUIRE_LT(vectors.cols(), 100);
+  BOOST_CHECK(vectors.allFinite());
+  // without any coordinates nodes stay where they are
+  const Cost_graph lengths = edge_lengths(adjacency);
+  std::vector<Index> cluster = spread_cells(lengths, 9, 0), before = cluster;
+  move_to_nearest_means(lengths, Embedding(adjacency.rows(), 0), 9, cluster);
+  BOOST_CHECK(cluster == before);
 }

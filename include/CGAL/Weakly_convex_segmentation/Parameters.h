@@ -145,10 +145,7 @@ struct Parameters
   std::size_t number_of_supervoxels = 1500;
   /// dimensions of the space of the spectral clustering, in shares of the wanted number of patches, but
   /// up to 10 patches have one each; the paper has 1; `[0.01, 1]`
-  double spectral_dimensions = 0.5;
-  /// degree of the polynomial that stands for the eigenvectors of that space: the higher, the sharper
-  /// it parts them from all others; `[1, 1000]`
-  std::size_t spectral_filter_degree = 24;
+  double spectral_dimensions = 0.27;
   /// neighbors are joined in the convexity graph unless their normals are concave by more degrees;
   /// `[0, 180]`
   double patch_concavity_tolerance = 5.;
@@ -295,7 +292,6 @@ inline Parameters Parameters::paper()
   p.number_of_patches = 100; // silent; the trial of the method used 100
   p.number_of_patch_sets = 1;
   p.spectral_dimensions = 1.;
-  p.spectral_filter_degree = 36;
   p.patch_concavity_tolerance = 0.;
   p.grazing_tolerance = 0.; // section 3: every disk on the line occludes it
   p.rays_for_early_decision = 0;
@@ -360,7 +356,6 @@ inline void Parameters::check() const
   check("number_of_patch_sets", number_of_patch_sets, 1., 100.);
   check("number_of_supervoxels", number_of_supervoxels, 1., 20000.);
   check("spectral_dimensions", spectral_dimensions, 0.01, 1.);
-  check("spectral_filter_degree", spectral_filter_degree, 1., 1000.);
   check("patch_concavity_tolerance", patch_concavity_tolerance, 0., 180.);
   check("concave_edge_weight", concave_edge_weight, 0., 1.);
   check("minimum_patch_size", minimum_patch_size, 0., 1e9);

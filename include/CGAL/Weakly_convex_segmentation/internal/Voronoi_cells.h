@@ -29,7 +29,7 @@ struct Cost_graph
     Index point;
     float cost;
   };
-  const std::vector<std::size_t>& first; ///< begin of each point's row in `edges`; size n + 1
+  std::vector<std::size_t> first; ///< begin of each point's row in `edges`; size n + 1
   std::vector<Edge> edges;
 
   std::size_t size() const { return first.size() - 1; }

@@ -58,6 +58,22 @@ inline Embedding spread_centers(const Embedding& rows, const std::size_t count,
   return centers;
 }
 
+/// returns the means of the rows of each cluster; of those without any, zero.
+inline Embedding cluster_means(const Embedding& rows, const std::vector<Index>& cluster,
+                               const std::size_t count)
+{
+  Embedding means = Embedding::Zero(static_cast<Eigen::Index>(count), rows.cols());
+  Eigen::VectorXf sizes = Eigen::VectorXf::Zero(means.rows());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+  {
+    const auto c = static_cast<Eigen::Index>(cluster[static_cast<std::size_t>(i)]);
+    means.row(c) += rows.row(i);
+    sizes[c] += 1.f;
+  }
+  means.array().colwise() /= sizes.array().max(1.f);
+  return means;
+}
+
 /// Lloyd's algorithm; returns the cluster of each row.
 inline std::vector<Index> k_means(const Embedding& rows, const std::size_t count,
                                   std::mt19937& random)

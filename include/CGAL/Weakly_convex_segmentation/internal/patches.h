@@ -5,8 +5,8 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_H
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
-#include <CGAL/Weakly_convex_segmentation/internal/spectral_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/supervoxels.h>
 
 #include <algorithm>
@@ -16,6 +16,8 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -75,9 +77,9 @@ inline Pieces connected_pieces(const Neighbor_graph& graph, const std::vector<In
 
 /// returns the weighted graph of the supervoxels: a convex edge between two points counts 1, a
 /// concave one `concave_weight`.
-inline std::vector<Weighted_edge> supervoxel_edges(const Neighbor_graph& graph,
-                                                   const Supervoxels& supervoxels,
-                                                   const Parameters& parameters)
+inline std::vector<Convexity_graph::Edge> supervoxel_edges(const Neighbor_graph& graph,
+                                                           const Supervoxels& supervoxels,
+                                                           const Parameters& parameters)
 {
   const float tolerance = radians(parameters.patch_concavity_tolerance);
   std::vector<std::pair<std::uint64_t, double>> crossings;
@@ -90,7 +92,7 @@ inline std::vector<Weighted_edge> supervoxel_edges(const Neighbor_graph& graph,
             {a << 32 | b, edge.concavity > tolerance ? parameters.concave_edge_weight : 1.});
     }
   std::sort(crossings.begin(), crossings.end());
-  std::vector<Weighted_edge> edges;
+  std::vector<Convexity_graph::Edge> edges;
   for (std::size_t i = 0; i < crossings.size(); ++i)
   {
     if (i == 0 || crossings[i].first != crossings[i - 1].first)
@@ -99,15 +101,39 @@ inline std::vector<Weighted_edge> supervoxel_edges(const Neighbor_graph& graph,
     edges.back().weight += crossings[i].second;
   }
   // an edge of weight 0 would leave a node without a degree
-  for (Weighted_edge& e : edges) e.weight = (std::max)(e.weight, 1e-6);
+  for (Convexity_graph::Edge& e : edges) e.weight = (std::max)(e.weight, 1e-6);
   return edges;
 }
 
-/// clusters the supervoxels, each connected piece of their graph on its own with its share of the
-/// wanted patches: a shape of thousands of pieces then has small eigenproblems, and most have none.
-inline std::vector<Index> cluster_supervoxels(const Supervoxels& supervoxels,
-                                              const std::vector<Weighted_edge>& edges,
-                                              const Parameters& parameters, const unsigned int seed)
+/// A connected piece of the graph of the supervoxels.
+struct Supervoxel_piece
+{
+  std::vector<Index> supervoxels; ///< its nodes
+  Clusters_of_seed clusters;      ///< of its nodes
+};
+
+/// returns a function that makes clusters of the nodes. There is nothing to cluster where one is wanted, or
+/// one for each.
+inline Clusters_of_seed clusters_of(const Patch_clustering& clustering,
+                                    const Convexity_graph& graph, const std::size_t wanted)
+{
+  const std::size_t nodes = graph.number_of_nodes;
+  if (wanted <= 1 || nodes <= 2)
+    return [nodes](unsigned int) { return std::vector<Index>(nodes, 0); };
+  if (wanted + 1 < nodes) return clustering(graph, wanted);
+  return [nodes](unsigned int)
+  {
+    std::vector<Index> own(nodes);
+    std::iota(own.begin(), own.end(), Index(0));
+    return own;
+  };
+}
+
+/// prepares the clustering of each connected piece of the supervoxels' graph, with its share of the wanted
+/// patches: a shape of thousands of pieces then has small eigenproblems, and most have none.
+inline std::vector<Supervoxel_piece>
+supervoxel_pieces(const Supervoxels& supervoxels, const std::vector<Convexity_graph::Edge>& edges,
+                  const std::size_t number_of_patches, const Patch_clustering& clustering)
 {
   std::vector<Index> parent(supervoxels.count);
   std::iota(parent.begin(), parent.end(), Index(0));
@@ -116,36 +142,54 @@ inline std::vector<Index> cluster_supervoxels(const Supervoxels& supervoxels,
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  for (const Weighted_edge& e : edges) parent[root(e.second)] = root(e.first);
+  for (const Convexity_graph::Edge& e : edges) parent[root(e.second)] = root(e.first);
 
-  std::vector<std::vector<Index>> nodes(supervoxels.count);
+  std::vector<Supervoxel_piece> pieces(supervoxels.count); // by root, for now
+  std::vector<Convexity_graph> graphs(supervoxels.count);
   std::vector<Index> local(supervoxels.count);
   std::vector<std::size_t> points(supervoxels.count, 0);
   for (Index i = 0; i < supervoxels.count; ++i)
   {
-    auto& piece = nodes[root(i)];
-    local[i] = static_cast<Index>(piece.size());
-    piece.push_back(i);
+    local[i] = static_cast<Index>(graphs[root(i)].number_of_nodes++);
+    pieces[root(i)].supervoxels.push_back(i);
   }
   for (const Index s : supervoxels.of_point) ++points[root(s)];
-  std::vector<std::vector<Weighted_edge>> piece_edges(supervoxels.count);
-  for (const Weighted_edge& e : edges)
-    piece_edges[root(e.first)].push_back({local[e.first], local[e.second], e.weight});
-
-  std::vector<Index> cluster(supervoxels.count);
-  Index first_cluster = 0;
+  for (const Convexity_graph::Edge& e : edges)
+    graphs[root(e.first)].edges.push_back({local[e.first], local[e.second], e.weight});
+  const double all = static_cast<double>(supervoxels.of_point.size());
   for (Index r = 0; r < supervoxels.count; ++r)
   {
-    if (nodes[r].empty()) continue;
-    const double share = static_cast<double>(points[r]) / supervoxels.of_point.size();
-    const std::size_t wanted = static_cast<std::size_t>(
-        std::ceil(share * static_cast<double>(parameters.number_of_patches) - 1e-9));
-    const std::vector<Index> own =
-        spectral_clusters(nodes[r].size(), piece_edges[r], wanted, parameters, seed);
+    const double wanted = static_cast<double>(number_of_patches) * static_cast<double>(points[r]);
+    if (points[r] > 0)
+      pieces[r].clusters = clusters_of(clustering, graphs[r],
+                                       static_cast<std::size_t>(std::ceil(wanted / all - 1e-9)));
+  }
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                              [](const Supervoxel_piece& p) { return p.supervoxels.empty(); }),
+               pieces.end());
+  return pieces;
+}
+
+/// returns the cluster of each supervoxel.
+/// \throws std::invalid_argument if the clustering does not give each node a cluster
+inline std::vector<Index> cluster_supervoxels(const std::size_t count,
+                                              const std::vector<Supervoxel_piece>& pieces,
+                                              const unsigned int seed)
+{
+  std::vector<Index> cluster(count);
+  Index first_cluster = 0;
+  for (const Supervoxel_piece& piece : pieces)
+  {
+    const std::vector<Index> own = piece.clusters(seed);
+    if (own.size() != piece.supervoxels.size())
+      throw std::invalid_argument("the clustering of the patches returned " +
+                                  std::to_string(own.size()) + " clusters for " +
+                                  std::to_string(piece.supervoxels.size()) +
+                                  " nodes; it has to give each node one");
     Index used = 0;
     for (std::size_t i = 0; i < own.size(); ++i)
     {
-      cluster[nodes[r][i]] = first_cluster + own[i];
+      cluster[piece.supervoxels[i]] = first_cluster + own[i];
       used = (std::max)(used, own[i] + 1);
     }
     first_cluster += used;
@@ -201,16 +245,16 @@ inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const P
 
 /// returns the patches that one clustering of the supervoxels gives.
 inline Patches cluster_to_patches(const Neighbor_graph& graph, const Supervoxels& supervoxels,
-                                  const std::vector<Weighted_edge>& edges,
-                                  const Parameters& parameters, const unsigned int seed)
+                                  const std::vector<Supervoxel_piece>& pieces,
+                                  const std::size_t minimum_patch_size, const unsigned int seed)
 {
-  const std::vector<Index> cluster = cluster_supervoxels(supervoxels, edges, parameters, seed);
+  const std::vector<Index> cluster = cluster_supervoxels(supervoxels.count, pieces, seed);
   std::vector<Index> labels(graph.size());
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = cluster[supervoxels.of_point[i]];
 
   Patches patches;
   patches.of_point =
-      absorb_small_pieces(graph, connected_pieces(graph, labels), parameters.minimum_patch_size);
+      absorb_small_pieces(graph, connected_pieces(graph, labels), minimum_patch_size);
   const int count = 1 + *std::max_element(patches.of_point.begin(), patches.of_point.end());
   patches.members.resize(static_cast<std::size_t>(count));
   for (Index i = 0; i < graph.size(); ++i) patches.members[patches.of_point[i]].push_back(i);
@@ -221,11 +265,14 @@ inline Patches cluster_to_patches(const Neighbor_graph& graph, const Supervoxels
 /// begin at different supervoxels.
 inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
                                                const Neighbor_graph& graph,
-                                               const Parameters& parameters, const bool parallel)
+                                               const Parameters& parameters, const bool parallel,
+                                               const Patch_clustering& clustering)
 {
   const Supervoxels supervoxels = build_supervoxels(points, graph, parameters.number_of_supervoxels,
                                                     parameters.patch_concavity_tolerance);
-  const std::vector<Weighted_edge> edges = supervoxel_edges(graph, supervoxels, parameters);
+  const std::vector<Supervoxel_piece> pieces =
+      supervoxel_pieces(supervoxels, supervoxel_edges(graph, supervoxels, parameters),
+                        parameters.number_of_patches, clustering);
   std::mt19937 random(parameters.seed);
   std::vector<unsigned int> seeds = {parameters.seed};
   while (seeds.size() < parameters.number_of_patch_sets)
@@ -234,7 +281,10 @@ inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
   parallel_for(
       sets.size(), parallel,
       [&](const std::size_t s)
-      { sets[s] = cluster_to_patches(graph, supervoxels, edges, parameters, seeds[s]); },
+      {
+        sets[s] =
+            cluster_to_patches(graph, supervoxels, pieces, parameters.minimum_patch_size, seeds[s]);
+      },
       1);
   return sets;
 }
@@ -244,7 +294,9 @@ inline Patches extract_patches(const Oriented_points& points, const Neighbor_gra
                                Parameters parameters)
 {
   parameters.number_of_patch_sets = 1;
-  return std::move(extract_patch_sets(points, graph, parameters, false).front());
+  return std::move(extract_patch_sets(points, graph, parameters, false,
+                                      Spectral_patch_clustering(parameters.spectral_dimensions))
+                       .front());
 }
 
 } // namespace internal

@@ -99,8 +99,9 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
   control.stage(Stage::PATCHES,
                 [&]
                 {
-                  for (Patches& patches : extract_patch_sets(shape->points(), shape->graph,
-                                                             parameters, control.parallel))
+                  for (Patches& patches : extract_patch_sets(
+                           shape->points(), shape->graph, parameters, control.parallel,
+                           Spectral_patch_clustering(parameters.spectral_dimensions)))
                     shape->patch_sets.push_back({std::move(patches), nullptr});
                   return shape->patches().size();
                 });

@@ -4,7 +4,6 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_CLUSTERING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SPECTRAL_CLUSTERING_H
 
-#include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Voronoi_cells.h>
 #include <CGAL/Weakly_convex_segmentation/internal/spectral_embedding.h>
 
@@ -16,94 +15,76 @@
 #include <utility>
 #include <vector>
 
-// Normalized spectral clustering of a small weighted graph (section 4, "Initial patches").
+// Normalized spectral clustering of a weighted graph (section 4, "Initial patches").
 //
-// k-means sees only distances in the space of the lowest eigenvectors of the normalized Laplacian, not
-// the vectors themselves, so any basis of that space will do: a low-pass filter of the graph's spectrum
-// makes one out of the indicators of as many cells as it has dimensions. From those cells, divided on into
-// as many as clusters are wanted, k-means starts, so that little is left to chance, and it only asks for the
-// clusters of a node's neighbors. All of it takes a fraction of the time of eigenvectors and of k-means
-// as they are.
+// k-means begins with cells about nodes that are far from each other along the graph, so that little is
+// left to chance, and only asks for the clusters of a node's neighbors: k-means++ over all clusters makes
+// a whole run take 1.22 times as long.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// Two divisions of a graph into cells, of which the second has more.
-struct Spread_cells
+/// returns the graph with its edges as long as their normalized weights are low.
+inline Cost_graph edge_lengths(const Graph_matrix& adjacency)
 {
-  std::vector<Index> few, many; ///< cell of each node
-};
-
-/// divides a connected graph into at most `few` and into at most `many` cells about nodes that are far
-/// from each other. An edge of low weight is long.
-inline Spread_cells spread_cells(const Normalized_graph& graph, const std::size_t few,
-                                 const std::size_t many, Index seed)
-{
-  Spread_cells result;
-  Cost_graph costs{graph.first, {}};
-  costs.edges.reserve(graph.edges.size());
-  for (const auto& edge : graph.edges) costs.edges.push_back({edge.node, 1.f / edge.weight});
-  Voronoi_cells cells(costs);
-  for (Index c = 0; c < many && cells.distance(seed) > 0.f; ++c)
+  Cost_graph lengths;
+  lengths.first.push_back(0);
+  for (int i = 0; i < adjacency.outerSize(); ++i)
   {
-    if (c == few) result.few = cells.cells();
-    cells.add_seed(seed, c);
-    cells.grow();
-    seed = 0;
-    for (Index i = 1; i < graph.size(); ++i)
-      if (cells.distance(i) > cells.distance(seed)) seed = i;
+    for (Graph_matrix::InnerIterator e(adjacency, i); e; ++e)
+      lengths.edges.push_back({static_cast<Index>(e.row()), 1.f / e.value()});
+    lengths.first.push_back(lengths.edges.size());
   }
-  result.many = cells.cells();
-  if (result.few.empty()) result.few = result.many;
-  return result;
+  return lengths;
 }
 
-/// returns the means of the rows of each cluster.
-inline Row_matrix cluster_means(const Row_matrix& rows, const std::vector<Index>& cluster,
-                                const std::size_t count)
+/// divides a connected graph into at most `count` cells about nodes that are far from each other, the
+/// first of them chosen by `seed`.
+inline std::vector<Index> spread_cells(const Cost_graph& lengths, const std::size_t count,
+                                       const unsigned int seed)
 {
-  Row_matrix means(count, rows.columns());
-  std::vector<float> size(count, 0.f);
-  for (std::size_t i = 0; i < rows.rows(); ++i)
+  Voronoi_cells cells(lengths);
+  Index farthest = static_cast<Index>(std::mt19937(seed)() % lengths.size());
+  for (Index c = 0; c < count && cells.distance(farthest) > 0.f; ++c)
   {
-    size[cluster[i]] += 1.f;
-    add_multiple(means.row(cluster[i]), rows.groups(), 1.f, rows.row(i));
+    cells.add_seed(farthest, c);
+    cells.grow();
+    farthest = 0;
+    for (Index i = 1; i < lengths.size(); ++i)
+      if (cells.distance(i) > cells.distance(farthest)) farthest = i;
   }
-  for (std::size_t c = 0; c < count; ++c)
-    if (size[c] > 0.f) divide(means.row(c), means.groups(), size[c]);
-  return means;
+  return cells.cells();
 }
 
 /// Lloyd's algorithm from given clusters; a node moves only to the cluster of a neighbor.
-inline void move_to_nearest_means(const Normalized_graph& graph, const Row_matrix& rows,
+inline void move_to_nearest_means(const Cost_graph& graph, const Embedding& rows,
                                   const std::size_t count, std::vector<Index>& cluster)
 {
   constexpr int maximum_iterations = 30;
   constexpr float rounding = 1e-6f; // where all are equally near, a node stays
-  std::vector<float> half_norm(count);
   for (int iteration = 0; iteration < maximum_iterations; ++iteration)
   {
-    const Row_matrix means = cluster_means(rows, cluster, count);
-    for (std::size_t c = 0; c < count; ++c)
-      half_norm[c] = 0.5f * product_of(means.row(c), means.row(c), means.groups());
+    const Embedding means = cluster_means(rows, cluster, count);
+    const Eigen::VectorXf half_norms = 0.5f * means.rowwise().squaredNorm();
     std::vector<Index> next = cluster;
     std::vector<std::size_t> asked(count, graph.size());
     for (std::size_t i = 0; i < graph.size(); ++i)
     {
+      const auto row = rows.row(static_cast<Eigen::Index>(i));
       float best = -std::numeric_limits<float>::infinity();
       const auto ask = [&](const Index c)
       {
         if (std::exchange(asked[c], i) == i) return;
         // |x - c|^2 = |x|^2 - 2 x.c + |c|^2
-        const float nearness = product_of(rows.row(i), means.row(c), rows.groups()) - half_norm[c];
+        const float nearness = row.dot(means.row(c)) - half_norms[c];
         if (nearness <= best + rounding) return;
         best = nearness;
         next[i] = c;
       };
       ask(cluster[i]);
       for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
-        ask(cluster[graph.edges[e].node]);
+        ask(cluster[graph.edges[e].point]);
     }
     if (next == cluster) break;
     cluster.swap(next);
@@ -117,32 +98,6 @@ inline std::size_t spectral_dimensions(const std::size_t count, const double sha
   constexpr std::size_t few = 10;
   const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(count)));
   return (std::max)(wanted, (std::min)(count, few));
-}
-
-/// clusters the `size` nodes of a connected graph into at most `count` clusters.
-///
-/// Complexity: O((size * degree + number of edges * degree) * dimensions + size * dimensions^2), with
-/// `Parameters::spectral_filter_degree` and `Parameters::spectral_dimensions` times the count.
-inline std::vector<Index> spectral_clusters(const std::size_t size,
-                                            const std::vector<Weighted_edge>& edges,
-                                            const std::size_t count, const Parameters& parameters,
-                                            const unsigned int seed)
-{
-  if (count <= 1 || size <= 2) return std::vector<Index>(size, 0);
-  if (count + 1 >= size)
-  {
-    std::vector<Index> own(size);
-    for (std::size_t i = 0; i < size; ++i) own[i] = static_cast<Index>(i);
-    return own;
-  }
-  const Normalized_graph graph(size, edges);
-  const std::size_t dimensions = spectral_dimensions(count, parameters.spectral_dimensions);
-  Spread_cells cells =
-      spread_cells(graph, dimensions, count, static_cast<Index>(std::mt19937(seed)() % size));
-  const Row_matrix rows =
-      spectral_embedding(graph, cells.few, dimensions, parameters.spectral_filter_degree);
-  move_to_nearest_means(graph, rows, count, cells.many);
-  return std::move(cells.many);
 }
 
 } // namespace internal

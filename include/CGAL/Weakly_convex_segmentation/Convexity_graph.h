@@ -1,0 +1,35 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_CONVEXITY_GRAPH_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_CONVEXITY_GRAPH_H
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// The graph whose clusters are the initial patches.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// A connected piece of the point-convexity graph (section 4 of the paper): its nodes are small cells of
+/// points or the points themselves, and its edges join neighbors, with a high weight where the surface is
+/// convex between them.
+struct Convexity_graph
+{
+  /// An undirected edge, which is listed once.
+  struct Edge
+  {
+    std::uint32_t first, second; ///< different nodes, from 0 on
+    double weight;               ///< over 0
+  };
+  std::size_t number_of_nodes = 0;
+  std::vector<Edge> edges; ///< each node has one at least
+};
+
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_CONVEXITY_GRAPH_H
