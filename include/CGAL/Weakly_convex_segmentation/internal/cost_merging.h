@@ -52,10 +52,26 @@ public:
   }
 
   /// share of the points in the smaller region, in [0, 1]
-  double smaller_share(const int a, const int b) const
+  double smaller_share(const int a, const int b) const { return (std::min)(share(a), share(b)); }
+
+  /// \name Terms of the cost
+  /// @{
+
+  /// share of the points in a region, in [0, 1]
+  double share(const int r) const { return m_graph.region(r).size / m_graph.total_size(); }
+  double visibility(const int a, const int b) const { return m_graph.visibility(a, b); }
+  double concave_share(const int a, const int b) const
   {
-    return (std::min)(m_graph.region(a).size, m_graph.region(b).size) / m_graph.total_size();
+    return m_graph.seam(a, b).concave_share();
   }
+  double diameter_distance(const int a, const int b) const;
+  double closure(const int r) const { return inside_of(r).closure; }
+  double diameter(const int r) const { return inside_of(r).diameter; }
+  double diameter_spread(const int r) const { return inside_of(r).diameter_spread; }
+  double seam_extent(const int a, const int b) const { return axes(a, b).extent(); }
+  double continuation(const int a, const int b) const { return continuation(a, b, axes(a, b)); }
+
+  /// @}
 
 private:
   /// What the samples of a region find inwards.
@@ -83,20 +99,12 @@ private:
       cost += weights.larger_closure_weight * inside_of(b).closure;
     if (weights.seam_extent_weight > 0. || weights.continuation_weight > 0.)
     {
-      const Seam_axes axes(m_graph.region(a), m_graph.region(b), m_graph.seam(a, b));
-      cost -= weights.seam_extent_weight * axes.seam.lengths[2] / axes.longest_of_union;
+      const Seam_axes seam = axes(a, b);
+      cost -= weights.seam_extent_weight * seam.extent();
       if (weights.continuation_weight > 0.)
-        cost -= weights.continuation_weight * continuation(a, b, axes);
+        cost -= weights.continuation_weight * continuation(a, b, seam);
     }
     return cost;
-  }
-
-  double diameter_distance(const int a, const int b) const
-  {
-    const Diameter_histogram& first = m_graph.region(a).diameters;
-    const Diameter_histogram& second = m_graph.region(b).diameters;
-    if (first.empty() || second.empty()) return m_parameters.missing_diameter_distance;
-    return earth_movers_distance(first, second, m_scale);
   }
 
   /// The axes of a seam, and the longest one of the union of its regions: a standard deviation.
@@ -111,7 +119,12 @@ private:
                                       first.shape.position_squares + second.shape.position_squares,
                                       first.size + second.size))
     {}
+    double extent() const { return seam.lengths[2] / longest_of_union; }
   };
+  Seam_axes axes(const int a, const int b) const
+  {
+    return {m_graph.region(a), m_graph.region(b), m_graph.seam(a, b)};
+  }
 
   /// How much two regions are pieces of one tube, in [0, 1]. People do not cut a limb where it goes on
   /// straight, though its pieces hardly see each other and each is complete but for its ends.
@@ -190,6 +203,14 @@ private:
   const Parameters& m_parameters;
   mutable std::vector<Inside> m_inside; // by region
 };
+
+inline double Region_cost::diameter_distance(const int a, const int b) const
+{
+  const Diameter_histogram& first = m_graph.region(a).diameters;
+  const Diameter_histogram& second = m_graph.region(b).diameters;
+  if (first.empty() || second.empty()) return m_parameters.missing_diameter_distance;
+  return earth_movers_distance(first, second, m_scale);
+}
 
 /// fills the regions' histograms.
 inline void set_signatures(Region_graph& graph, const Patches& patches,

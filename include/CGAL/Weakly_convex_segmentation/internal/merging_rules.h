@@ -4,6 +4,7 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_RULES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_RULES_H
 
+#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/component_fusion.h>
 #include <CGAL/Weakly_convex_segmentation/internal/component_merging.h>
@@ -12,10 +13,12 @@
 #include <CGAL/Weakly_convex_segmentation/internal/fitted_merging.h>
 #include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
+#include <limits>
 #include <memory>
+#include <utility>
 
-// What becomes components and segments (sections 4 and 5), in three ways: by the default's cost, by the
-// fitted one, and by the paper's rules.
+// What becomes components and segments (sections 4 and 5): by a cost, such as the default's or the learned
+// one, or by the paper's rules.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -36,33 +39,33 @@ public:
   virtual double cost_beyond(int a, int b) = 0;
 };
 
-/// The default's cost.
+/// Contraction by ascending cost, of any model of `WeaklyConvexSegmentationMergeCost`.
 class Cost_rules : public Merging_rules
 {
 public:
   Cost_rules(const Shape_analysis& shape, const Patches& patches, Region_graph& graph,
-             const Parameters& parameters)
-    : m_graph(graph), m_parameters(parameters), m_scale(scale(parameters)),
-      m_cost(graph, patches, shape.diameters, m_scale, parameters)
+             const Parameters& parameters, Merge_cost cost)
+    : m_graph(graph), m_parameters(parameters), m_cost(std::move(cost)), m_scale(scale(parameters)),
+      m_measures(graph, patches, shape.diameters, m_scale, parameters)
   {
     set_signatures(graph, patches, shape.diameters, m_scale);
     graph.add_shapes(shape.points(), shape.graph, patches, shape.diameters);
+    if (!m_cost.uses_cut_probability) return;
+    graph.add_profiles(shape.points(), shape.graph, patches);
+    m_features = std::make_unique<Pair_features>(graph, patches, shape.diameters);
+    m_learned = std::make_unique<Fitted_cost>(*m_features, fitted_trees());
   }
-  void fuse(const Contraction_log& log) override
-  {
-    contract_by_cost(m_graph, m_cost, m_parameters.merging_cost, m_parameters.fusion_threshold,
-                     log);
-  }
+  void fuse(const Contraction_log& log) override { contract_up_to(m_cost.fusion_threshold, log); }
   void merge(const Contraction_log& log) override
   {
-    contract_by_cost(m_graph, m_cost, m_parameters.merging_cost, m_parameters.merging_threshold,
-                     log);
-    absorb_small_regions(m_graph, m_cost, m_parameters, log);
+    contract_up_to(m_cost.merging_threshold, log);
+    absorb_small_regions(m_graph, m_measures, m_parameters, log);
   }
-  double merging_threshold() const override { return m_parameters.merging_threshold; }
-  double cost_beyond(const int a, const int b) override // no more lines of sight
+  double merging_threshold() const override { return m_cost.merging_threshold; }
+  double cost_beyond(const int a, const int b) override
   {
-    return m_cost.blind(a, b, m_parameters.merging_cost);
+    return m_cost.cost({m_measures, m_learned.get(), a, b, true},
+                       std::numeric_limits<double>::infinity());
   }
 
 private:
@@ -73,45 +76,25 @@ private:
     return scale;
   }
 
+  void contract_up_to(const double threshold, const Contraction_log& log)
+  {
+    contract(
+        m_graph,
+        [&](const int a, const int b)
+        {
+          const double c = m_cost.cost({m_measures, m_learned.get(), a, b, false}, threshold);
+          return c <= threshold ? c : std::numeric_limits<double>::infinity();
+        },
+        log);
+  }
+
   Region_graph& m_graph;
   const Parameters& m_parameters;
+  Merge_cost m_cost;
   Histogram_scale m_scale;
-  Region_cost m_cost;
-};
-
-/// The cost that is fitted to people's segmentations.
-class Fitted_rules : public Merging_rules
-{
-public:
-  Fitted_rules(const Shape_analysis& shape, const Patches& patches, Region_graph& graph,
-               const Parameters& parameters)
-    : m_graph(graph), m_parameters(parameters), m_features(graph, patches, shape.diameters),
-      m_cost(m_features, fitted_trees()),
-      m_plain_cost(graph, patches, shape.diameters, m_scale, parameters)
-  {
-    set_signatures(graph, patches, shape.diameters, m_scale);
-    graph.add_shapes(shape.points(), shape.graph, patches, shape.diameters);
-    graph.add_profiles(shape.points(), shape.graph, patches);
-  }
-  void fuse(const Contraction_log& log) override
-  {
-    contract_fitted(m_graph, m_cost, m_parameters.fitted_fusion_threshold, log);
-  }
-  void merge(const Contraction_log& log) override
-  {
-    contract_fitted(m_graph, m_cost, m_parameters.fitted_merging_threshold, log);
-    absorb_small_regions(m_graph, m_plain_cost, m_parameters, log);
-  }
-  double merging_threshold() const override { return m_parameters.fitted_merging_threshold; }
-  double cost_beyond(const int a, const int b) override { return m_cost(a, b); }
-
-private:
-  Region_graph& m_graph;
-  const Parameters& m_parameters;
-  Histogram_scale m_scale;
-  Pair_features m_features;
-  Fitted_cost m_cost;
-  Region_cost m_plain_cost;
+  Region_cost m_measures;
+  std::unique_ptr<Pair_features> m_features; ///< where the cost uses the learned probability
+  std::unique_ptr<Fitted_cost> m_learned;
 };
 
 /// The rules of the paper.
@@ -143,10 +126,13 @@ inline std::unique_ptr<Merging_rules> make_rules(const Shape_analysis& shape,
                                                  const Patches& patches, Region_graph& graph,
                                                  const Parameters& parameters, const bool parallel)
 {
+  const auto by_cost = [&](const Merge_cost& cost)
+  { return std::make_unique<Cost_rules>(shape, patches, graph, parameters, cost); };
+  if (shape.oracles.merge_cost.cost) return by_cost(shape.oracles.merge_cost);
   if (parameters.merging == Merging_rule::COST)
-    return std::make_unique<Cost_rules>(shape, patches, graph, parameters);
+    return by_cost(Merge_cost(Weighted_merge_cost(parameters)));
   if (parameters.merging == Merging_rule::FITTED)
-    return std::make_unique<Fitted_rules>(shape, patches, graph, parameters);
+    return by_cost(Merge_cost(Learned_merge_cost(parameters)));
   return std::make_unique<Paper_rules>(shape, patches, graph, parameters, parallel);
 }
 

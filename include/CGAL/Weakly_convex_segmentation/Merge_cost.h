@@ -1,0 +1,98 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_COST_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_COST_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/Region_pair.h>
+
+#include <functional>
+#include <limits>
+#include <type_traits>
+
+// The costs by which patches are fused into components and these merged into segments (sections 4 and 5):
+// models of `WeaklyConvexSegmentationMergeCost`.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// The cost of the default preset: a weighted sum of visibility, seam concavity, volume and closure, see
+/// `Merging_cost`.
+///
+/// \cgalModels `WeaklyConvexSegmentationMergeCost`
+class Weighted_merge_cost
+{
+  Merging_cost m_weights;
+  double m_fusion_threshold, m_merging_threshold;
+
+public:
+  /// takes the weights and thresholds of `parameters`.
+  explicit Weighted_merge_cost(const Parameters& parameters = {})
+    : m_weights(parameters.merging_cost), m_fusion_threshold(parameters.fusion_threshold),
+      m_merging_threshold(parameters.merging_threshold)
+  {}
+  double operator()(const Region_pair& pair, const double limit) const
+  {
+    return pair.weighted_cost(m_weights, limit);
+  }
+  double fusion_threshold() const { return m_fusion_threshold; }
+  double merging_threshold() const { return m_merging_threshold; }
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// The cost of the preset `Parameters::fitted()`: the probability that people cut between two regions.
+///
+/// \cgalModels `WeaklyConvexSegmentationMergeCost`
+class Learned_merge_cost
+{
+  double m_fusion_threshold, m_merging_threshold;
+
+public:
+  static constexpr bool uses_cut_probability = true;
+
+  /// takes the thresholds of `parameters`.
+  explicit Learned_merge_cost(const Parameters& parameters = {})
+    : m_fusion_threshold(parameters.fitted_fusion_threshold),
+      m_merging_threshold(parameters.fitted_merging_threshold)
+  {}
+  double operator()(const Region_pair& pair, double /* limit */) const
+  {
+    return pair.cut_probability();
+  }
+  double fusion_threshold() const { return m_fusion_threshold; }
+  double merging_threshold() const { return m_merging_threshold; }
+};
+
+namespace internal {
+
+template <typename Cost, typename = void>
+struct Uses_cut_probability : std::false_type
+{};
+template <typename Cost>
+struct Uses_cut_probability<Cost, std::void_t<decltype(Cost::uses_cut_probability)>>
+  : std::bool_constant<Cost::uses_cut_probability>
+{};
+
+/// Any model of `WeaklyConvexSegmentationMergeCost`.
+struct Merge_cost
+{
+  std::function<double(const Region_pair&, double)> cost;
+  double fusion_threshold = 0., merging_threshold = 0.;
+  bool uses_cut_probability = false;
+
+  Merge_cost() = default; ///< none
+  template <typename Model>
+  explicit Merge_cost(const Model& model)
+    : cost(model), fusion_threshold(model.fusion_threshold()),
+      merging_threshold(model.merging_threshold()),
+      uses_cut_probability(Uses_cut_probability<Model>::value)
+  {}
+};
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_COST_H
