@@ -8,6 +8,7 @@
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/Segmenter.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
+#include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -97,14 +98,24 @@ template <typename ConcurrencyTag = Sequential_tag, typename Input, typename Lab
           typename NamedParameters = parameters::Default_named_parameters>
 Weakly_convex_segmentation::Result
 weakly_convex_segmentation(const Input& input, LabelMap label_map,
-                           const Weakly_convex_segmentation::Parameters& parameters = {},
                            const NamedParameters& np = parameters::default_values())
 {
-  using Segmenter = Weakly_convex_segmentation::Segmenter<ConcurrencyTag>;
-  Segmenter segmenter(input, parameters, np);
-  Weakly_convex_segmentation::Result result = segmenter.segment(parameters);
-  Weakly_convex_segmentation::internal::write_labels(input, result.labels, label_map);
-  return result;
+  return Weakly_convex_segmentation::internal::segment_input<ConcurrencyTag>(
+      input, label_map, Weakly_convex_segmentation::internal::as_cgal(np));
+}
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// is the same with `Weakly_convex_segmentation::Parameters` before the named parameters, which have
+/// precedence where both give a value.
+template <typename ConcurrencyTag = Sequential_tag, typename Input, typename LabelMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Weakly_convex_segmentation::Result
+weakly_convex_segmentation(const Input& input, LabelMap label_map,
+                           const Weakly_convex_segmentation::Parameters& parameters,
+                           const NamedParameters& np = parameters::default_values())
+{
+  using namespace Weakly_convex_segmentation::internal;
+  return segment_input<ConcurrencyTag>(input, label_map, with_parameters(parameters, as_cgal(np)));
 }
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -136,11 +147,23 @@ template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typenam
           typename NamedParameters = parameters::Default_named_parameters>
 Weakly_convex_segmentation::Result
 weakly_convex_segmentation_of_soup(const PointRange& points, const PolygonRange& polygons,
-                                   const Weakly_convex_segmentation::Parameters& parameters = {},
                                    const NamedParameters& np = parameters::default_values())
 {
-  Weakly_convex_segmentation::Segmenter<ConcurrencyTag> segmenter(points, polygons, parameters, np);
-  return segmenter.segment(parameters);
+  return Weakly_convex_segmentation::Segmenter<ConcurrencyTag>(points, polygons, np).segment();
+}
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// is the same with `Weakly_convex_segmentation::Parameters` before the named parameters, which have
+/// precedence where both give a value.
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename PolygonRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Weakly_convex_segmentation::Result
+weakly_convex_segmentation_of_soup(const PointRange& points, const PolygonRange& polygons,
+                                   const Weakly_convex_segmentation::Parameters& parameters,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  return Weakly_convex_segmentation::Segmenter<ConcurrencyTag>(points, polygons, parameters, np)
+      .segment();
 }
 
 } // namespace CGAL

@@ -9,7 +9,9 @@
 #include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/polygons.h>
+#include <CGAL/Weakly_convex_segmentation/internal/read_parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/soup_orientation.h>
+#include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -41,45 +43,6 @@ class Point_set_3;
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// Default model of the concept `WeaklyConvexSegmentationTraits`: points and vectors of any CGAL kernel.
-struct Default_traits
-{
-  struct Compute_x_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const
-    {
-      return v.x();
-    }
-  };
-  struct Compute_y_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const
-    {
-      return v.y();
-    }
-  };
-  struct Compute_z_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const
-    {
-      return v.z();
-    }
-  };
-  Compute_x_3 compute_x_3_object() const { return {}; }
-  Compute_y_3 compute_y_3_object() const { return {}; }
-  Compute_z_3 compute_z_3_object() const { return {}; }
-};
-
-template <typename NamedParameters>
-auto traits_of(const NamedParameters& np)
-{
-  return CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Default_traits());
-}
-
 /// Reads points and vectors through the traits.
 template <typename Traits>
 class Coordinate_reader
@@ -97,37 +60,25 @@ public:
   }
 };
 
-template <typename NamedParameters, typename Tag>
-constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
-
-/// reads the named parameters that are not about geometry.
-template <typename ConcurrencyTag, typename NamedParameters>
-Run_control read_control(const NamedParameters& np)
-{
-  Run_control control;
-  control.parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
-  if constexpr (is_given<NamedParameters, CGAL::internal_np::callback_t>)
-    control.callback = CGAL::parameters::get_parameter(np, CGAL::internal_np::callback);
-  if constexpr (is_given<NamedParameters, CGAL::internal_np::visitor_t>)
-    control.visitor = &CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor);
-  return control;
-}
-
-template <typename NamedParameters>
-unsigned int read_seed(const NamedParameters& np, const Parameters& parameters)
-{
-  return CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed), parameters.seed);
-}
+template <typename Range>
+using Element_of = std::decay_t<decltype(*std::declval<const Range&>().begin())>;
 
 /// returns the point map that was given or the identity.
 template <typename Range, typename NamedParameters>
 auto point_map_of(const Range&, const NamedParameters& np)
 {
-  using Element = typename std::iterator_traits<typename Range::const_iterator>::value_type;
   return CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::point_map),
-      CGAL::Identity_property_map<Element>());
+      CGAL::Identity_property_map<Element_of<Range>>());
+}
+
+/// returns the points of the vertices that were given or the mesh's own.
+template <typename FaceGraph, typename NamedParameters>
+auto vertex_points_of(const FaceGraph& mesh, const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+      get_const_property_map(CGAL::vertex_point, mesh));
 }
 
 /// brings positions of an unusual magnitude to about 1.
@@ -319,11 +270,7 @@ Raw_points read_input(const Input& input, const NamedParameters& np)
   else if constexpr (Is_range<Input>::value)
     return read_points(input, np, control);
   else
-    return read_mesh(input,
-                     CGAL::parameters::choose_parameter(
-                         CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                         get_const_property_map(CGAL::vertex_point, input)),
-                     traits_of(np), control);
+    return read_mesh(input, vertex_points_of(input, np), traits_of(np), control);
 }
 
 /// writes the labels back through the caller's map.
