@@ -67,7 +67,7 @@ constexpr void refuse()
   static_assert(mistake != Mistake::NO_NORMALS,
                 "normal_map does not give vectors for the elements of the range");
   static_assert(mistake != Mistake::NO_VERTEX_POINTS,
-                "the mesh has no points at its vertices, or vertex_point_map does not give them");
+                "vertex_point_map does not give points for the vertices of the mesh");
   static_assert(
       mistake != Mistake::NO_LABEL_MAP,
       "the label map is not a WritablePropertyMap from the elements (faces of a mesh, indices "
@@ -153,13 +153,17 @@ struct Key_of<Mesh, false>
 template <typename NP, typename... Names>
 constexpr bool has_any = (is_given<NP, Names> || ...);
 
+/// in place of `names::Name`, where the names of ours are not read
+struct No_name
+{};
+
 /// whether the named parameters are those that are read for any input, or these
-template <typename NP, typename... Names>
+template <typename NP, typename Own, typename... Names>
 constexpr bool has_no_others =
-    Has_only<NP, names::Name, CGAL::internal_np::callback_t, CGAL::internal_np::visitor_t,
+    Has_only<NP, Own, CGAL::internal_np::callback_t, CGAL::internal_np::visitor_t,
              CGAL::internal_np::random_seed_t, CGAL::internal_np::geom_traits_t, Names...>::value;
 
-template <typename Traits, typename Range, typename NP>
+template <typename Traits, typename Range, typename NP, typename Own>
 constexpr Mistake mistake_in_points()
 {
   namespace np = CGAL::internal_np;
@@ -167,7 +171,7 @@ constexpr Mistake mistake_in_points()
   using Point_map = decltype(point_map_of(std::declval<const Range&>(), std::declval<const NP&>()));
   if constexpr (has_any<NP, np::vertex_point_t, np::face_index_t>)
     return Mistake::MESH_MAPS_OF_POINTS;
-  else if constexpr (!has_no_others<NP, np::point_t, np::normal_t>)
+  else if constexpr (!has_no_others<NP, Own, np::point_t, np::normal_t>)
     return Mistake::UNKNOWN_NAME;
   else if constexpr (!Gives_coordinates<Traits, Point_map, Element>::value)
     return Mistake::NO_POINTS;
@@ -182,7 +186,7 @@ constexpr Mistake mistake_in_points()
     return Mistake::NONE;
 }
 
-template <typename NP>
+template <typename NP, typename Own>
 constexpr Mistake mistake_in_point_set()
 {
   namespace np = CGAL::internal_np;
@@ -191,10 +195,10 @@ constexpr Mistake mistake_in_point_set()
   else if constexpr (has_any<NP, np::vertex_point_t, np::face_index_t>)
     return Mistake::MESH_MAPS_OF_POINTS;
   else
-    return has_no_others<NP> ? Mistake::NONE : Mistake::UNKNOWN_NAME;
+    return has_no_others<NP, Own> ? Mistake::NONE : Mistake::UNKNOWN_NAME;
 }
 
-template <typename Traits, typename Mesh, typename NP>
+template <typename Traits, typename Mesh, typename NP, typename Own>
 constexpr Mistake mistake_in_mesh()
 {
   namespace np = CGAL::internal_np;
@@ -202,7 +206,7 @@ constexpr Mistake mistake_in_mesh()
   using Points = decltype(vertex_points_of(std::declval<const Mesh&>(), std::declval<const NP&>()));
   if constexpr (has_any<NP, np::point_t, np::normal_t>)
     return Mistake::POINT_MAPS_OF_MESH;
-  else if constexpr (!has_no_others<NP, np::vertex_point_t, np::face_index_t>)
+  else if constexpr (!has_no_others<NP, Own, np::vertex_point_t, np::face_index_t>)
     return Mistake::UNKNOWN_NAME;
   else
     return Gives_coordinates<Traits, Points, Vertex>::value ? Mistake::NONE
@@ -210,7 +214,7 @@ constexpr Mistake mistake_in_mesh()
 }
 
 /// for a `Segmenter`, and with `level` for where there is a label map
-template <typename Input, typename NP, bool has_level = false>
+template <typename Input, typename NP, bool has_level = false, typename Own = names::Name>
 constexpr Mistake mistake_in_input()
 {
   if constexpr (!Is_named_parameters<NP>::value)
@@ -221,20 +225,20 @@ constexpr Mistake mistake_in_input()
     if constexpr (!has_level && is_given<NP, names::level_t>)
       return Mistake::UNKNOWN_NAME;
     else if constexpr (Is_point_set<Input>::value)
-      return mistake_in_point_set<NP>();
+      return mistake_in_point_set<NP, Own>();
     else if constexpr (Is_range<Input>::value)
-      return mistake_in_points<Traits, Input, NP>();
+      return mistake_in_points<Traits, Input, NP, Own>();
     else if constexpr (Is_mesh<Input>::value)
-      return mistake_in_mesh<Traits, Input, NP>();
+      return mistake_in_mesh<Traits, Input, NP, Own>();
     else
       return Mistake::NO_SHAPE;
   }
 }
 
-template <typename Input, typename LabelMap, typename NP>
+template <typename Input, typename LabelMap, typename NP, typename Own = names::Name>
 constexpr Mistake mistake_in_call()
 {
-  constexpr Mistake mistake = mistake_in_input<Input, NP, true>();
+  constexpr Mistake mistake = mistake_in_input<Input, NP, true, Own>();
   if constexpr (mistake != Mistake::NONE)
     return mistake;
   else

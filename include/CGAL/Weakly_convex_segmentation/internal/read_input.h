@@ -28,7 +28,6 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -74,11 +73,14 @@ auto point_map_of(const Range&, const NamedParameters& np)
 
 /// returns the points of the vertices that were given or the mesh's own.
 template <typename FaceGraph, typename NamedParameters>
-auto vertex_points_of(const FaceGraph& mesh, const NamedParameters& np)
+auto vertex_points_of([[maybe_unused]] const FaceGraph& mesh,
+                      [[maybe_unused]] const NamedParameters& np)
 {
-  return CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-      get_const_property_map(CGAL::vertex_point, mesh));
+  // a mesh whose points are given need not have any
+  if constexpr (is_given<NamedParameters, CGAL::internal_np::vertex_point_t>)
+    return CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point);
+  else
+    return get_const_property_map(CGAL::vertex_point, mesh);
 }
 
 /// brings positions of an unusual magnitude to about 1.
@@ -141,23 +143,55 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
   return raw;
 }
 
+/// The place of each face of a mesh in the order of `faces()`, by its number in an index map.
+template <typename FaceIndexMap>
+class Face_places
+{
+  static constexpr Index none = static_cast<Index>(-1);
+  FaceIndexMap m_numbers;
+  std::vector<Index> m_places;
+
+public:
+  Face_places(const FaceIndexMap& numbers, const std::size_t number_of_faces)
+    : m_numbers(numbers), m_places(number_of_faces, none)
+  {}
+
+  template <typename Face>
+  void append(const Face& face, const std::size_t place)
+  {
+    const auto number = static_cast<std::size_t>(get(m_numbers, face));
+    if (number >= m_places.size() || m_places[number] != none)
+      throw std::invalid_argument("face_index_map gives face " + std::to_string(place) +
+                                  " the number " + std::to_string(number) +
+                                  ", but numbers have to differ and be less than that of faces");
+    m_places[number] = static_cast<Index>(place);
+  }
+
+  template <typename Face>
+  Index operator()(const Face& face) const
+  {
+    return m_places[static_cast<std::size_t>(get(m_numbers, face))];
+  }
+};
+
 /// reads a mesh as one point a face (section 6): centroid, normal, and links between faces that
 /// share an edge.
-template <typename FaceGraph, typename VertexPointMap, typename Traits>
-Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const Traits& traits,
+template <typename FaceGraph, typename NamedParameters>
+Raw_points read_mesh(const FaceGraph& mesh, const NamedParameters& np,
                      const Run_control& control = {})
 {
-  const Coordinate_reader coordinates(traits);
+  const Coordinate_reader coordinates(traits_of(np));
+  const auto points = vertex_points_of(mesh, np);
   using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
   Raw_points raw;
-  std::unordered_map<face_descriptor, Index> index;
+  Face_places places(CGAL::get_initialized_face_index_map(mesh, np), num_faces(mesh));
   std::vector<Coordinates> corners;
   for (const face_descriptor f : faces(mesh))
   {
     corners.clear();
     for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
       corners.push_back(coordinates(get(points, v)));
-    index.emplace(f, static_cast<Index>(raw.positions.size()));
+    places.append(f, raw.positions.size());
     add_polygon(corners, raw);
     control.check_sometimes();
   }
@@ -166,7 +200,7 @@ Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const 
   {
     const auto h = halfedge(e, mesh);
     const face_descriptor f = face(h, mesh), g = face(opposite(h, mesh), mesh);
-    if (f != none && g != none) raw.links.push_back({index.at(f), index.at(g)});
+    if (f != none && g != none) raw.links.push_back({places(f), places(g)});
     control.check_sometimes();
   }
   scale_polygons(raw);
@@ -270,7 +304,7 @@ Raw_points read_input(const Input& input, const NamedParameters& np)
   else if constexpr (Is_range<Input>::value)
     return read_points(input, np, control);
   else
-    return read_mesh(input, vertex_points_of(input, np), traits_of(np), control);
+    return read_mesh(input, np, control);
 }
 
 /// writes the labels back through the caller's map.

@@ -65,6 +65,10 @@ auto traits_of(const NamedParameters& np)
 template <typename ConcurrencyTag, typename NamedParameters>
 Run_control read_control(const NamedParameters& np)
 {
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+#endif
   Run_control control;
   control.parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
   if constexpr (is_given<NamedParameters, CGAL::internal_np::callback_t>)
@@ -77,8 +81,8 @@ Run_control read_control(const NamedParameters& np)
 template <typename NamedParameters>
 unsigned int read_seed(const NamedParameters& np, const Parameters& parameters)
 {
-  return CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed), parameters.seed);
+  return static_cast<unsigned int>(CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed), parameters.seed));
 }
 
 /// reads the named parameters that are members of `Parameters`.
