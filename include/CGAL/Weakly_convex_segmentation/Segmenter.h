@@ -49,7 +49,7 @@ template <typename ConcurrencyTag, typename Input, typename LabelMap, typename N
 Result segment_input(const Input& input, LabelMap label_map, const NamedParameters& np)
 {
   constexpr Mistake mistake = mistake_in_call<Input, LabelMap, NamedParameters>();
-  refuse<mistake>();
+  refuse<mistake, Input, LabelMap, NamedParameters>();
   if constexpr (mistake == Mistake::NONE)
   {
     const Run_control control = read_control<ConcurrencyTag>(np);
@@ -235,7 +235,7 @@ private:
   void read(const Input& input, const NamedParameters& np)
   {
     constexpr internal::Mistake mistake = internal::mistake_in_input<Input, NamedParameters>();
-    internal::refuse<mistake>();
+    internal::refuse<mistake, Input, NamedParameters>();
     if constexpr (mistake == internal::Mistake::NONE)
       start(internal::read_input<ConcurrencyTag>(input, np), np);
   }
@@ -245,7 +245,7 @@ private:
   {
     constexpr internal::Mistake mistake =
         internal::mistake_in_soup<PointRange, PolygonRange, NamedParameters>();
-    internal::refuse<mistake>();
+    internal::refuse<mistake, PointRange, PolygonRange, NamedParameters>();
     if constexpr (mistake == internal::Mistake::NONE)
       start(internal::read_soup(points, polygons, internal::point_map_of(points, np),
                                 internal::traits_of(np),
@@ -265,7 +265,7 @@ private:
   Result segment_with(const NamedParameters& np)
   {
     constexpr internal::Mistake mistake = internal::mistake_in_thresholds<NamedParameters>();
-    internal::refuse<mistake>();
+    internal::refuse<mistake, NamedParameters>();
     if constexpr (mistake == internal::Mistake::NONE)
       return segment(internal::read_parameters(np, m_parameters));
     else

@@ -179,7 +179,7 @@ lines_of_sight_decomposition(const Input& input, LabelMap label_map,
   constexpr internal::Mistake mistake =
       internal::mistake_in_call<Input, LabelMap, std::decay_t<decltype(plain)>,
                                 internal::No_name>();
-  internal::refuse<mistake>();
+  internal::refuse<mistake, Input, LabelMap, NamedParameters>();
   if constexpr (mistake == internal::Mistake::NONE)
   {
     Lines_of_sight_result result = internal::decompose_by_lines_of_sight(

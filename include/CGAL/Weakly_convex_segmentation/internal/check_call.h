@@ -39,8 +39,8 @@ enum class Mistake
   NO_LABEL_MAP
 };
 
-/// stops the compilation with the text of a mistake.
-template <Mistake mistake>
+/// stops the compilation with the text of a mistake, once for each kind of arguments.
+template <Mistake mistake, typename... Arguments>
 constexpr void refuse()
 {
   static_assert(mistake != Mistake::NO_NAMED_PARAMETERS,
@@ -261,13 +261,12 @@ constexpr Mistake mistake_in_soup()
     return Mistake::NO_POLYGONS;
   else if constexpr (!Is_range<PointRange>::value)
     return Mistake::NO_POINTS;
+  else if constexpr (!Is_named_parameters<NP>::value)
+    return Mistake::NO_NAMED_PARAMETERS;
+  else if constexpr (is_given<NP, CGAL::internal_np::normal_t>)
+    return Mistake::UNKNOWN_NAME;
   else
-  {
-    constexpr Mistake mistake = mistake_in_input<PointRange, NP>();
-    return mistake == Mistake::NONE && has_any<NP, CGAL::internal_np::normal_t>
-               ? Mistake::UNKNOWN_NAME
-               : mistake;
-  }
+    return mistake_in_input<PointRange, NP>();
 }
 
 /// for `Segmenter::segment()`
