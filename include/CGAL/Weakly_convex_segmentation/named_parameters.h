@@ -15,7 +15,9 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 
-/// The tags of our names.
+/// \cond SKIP_IN_MANUAL
+
+// the tags of our names
 namespace names {
 
 struct Name
@@ -29,8 +31,15 @@ struct Name
 
 } // namespace names
 
-/// A sequence of named parameters that begins with a name of this package and goes on in any order. One
-/// that begins with a name of CGAL's is of CGAL's class, which does not have ours.
+/// \endcond
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// A sequence of named parameters that begins with a name of this package and goes on in any order, with names
+/// of this package and those of %CGAL's that it reads:
+/// `%CGAL::parameters::maximum_number_of_segments(4).random_seed(1)`.
+///
+/// A sequence that begins with a name of %CGAL's is of %CGAL's class, which has none of ours: where both are
+/// given, begin with one of ours.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 class Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base>
 {
@@ -45,6 +54,8 @@ class Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base>
 
 public:
   using Plain::Plain;
+
+  /// \cond SKIP_IN_MANUAL
 
 #define CGAL_add_named_parameter(X, Y, Z)                                                          \
   template <typename V>                                                                            \
@@ -65,6 +76,7 @@ public:
   template <typename V> auto vertex_point_map(const V& k) const { return with<CGAL::internal_np::vertex_point_t>(k); }
   template <typename V> auto visitor(const V& k) const { return with<CGAL::internal_np::visitor_t>(k); }
   // clang-format on
+  /// \endcond
 };
 
 namespace internal {
@@ -97,6 +109,7 @@ constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameter
 } // namespace internal
 } // namespace Weakly_convex_segmentation
 
+/// \cond SKIP_IN_MANUAL
 namespace parameters {
 
 #define CGAL_add_named_parameter(X, Y, Z)                                                          \
@@ -110,6 +123,7 @@ namespace parameters {
 #undef CGAL_add_named_parameter
 
 } // namespace parameters
+/// \endcond
 } // namespace CGAL
 
 #endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_NAMED_PARAMETERS_H

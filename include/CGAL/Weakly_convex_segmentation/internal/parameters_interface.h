@@ -9,4 +9,3 @@ CGAL_add_named_parameter(segmentation_parameters_t, segmentation_parameters, seg
 CGAL_add_named_parameter(maximum_number_of_segments_t, maximum_number_of_segments, maximum_number_of_segments)
 CGAL_add_named_parameter(minimum_segment_share_t, minimum_segment_share, minimum_segment_share)
 CGAL_add_named_parameter(level_t, level, level)
-// clang-format on
