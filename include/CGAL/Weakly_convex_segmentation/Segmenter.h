@@ -77,7 +77,9 @@ Result segment_input(const Input& input, LabelMap label_map, const NamedParamete
 /// The object does not refer to the input after construction, but to the visitor and to what the
 /// callback refers to, which have to live as long. Different objects may be used from different threads at
 /// once, one object by one thread at a time, also by its functions that are const. It can be moved, not
-/// copied; an object that was moved from can only be destroyed or assigned to.
+/// copied.
+///
+/// \pre for all member functions: the object was not moved from.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`
 template <typename ConcurrencyTag = Sequential_tag>
