@@ -192,9 +192,9 @@ Row run_model(const int number, const Options& options)
   }
   Stage_clock clock;
   const auto begin = std::chrono::steady_clock::now();
-  const WCS::Result result = options.parallel
-                                 ? segment<CGAL::Parallel_tag>(model.mesh, options, clock)
-                                 : segment<CGAL::Sequential_tag>(model.mesh, options, clock);
+  const WCS::Result result =
+      options.parallel ? segment<CGAL::Parallel_if_available_tag>(model.mesh, options, clock)
+                       : segment<CGAL::Sequential_tag>(model.mesh, options, clock);
   row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   row.stage_seconds = clock.seconds;
   row.patches = result.merge_tree.number_of_patches();

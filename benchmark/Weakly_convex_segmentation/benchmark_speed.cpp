@@ -128,8 +128,8 @@ void compare_threads(const std::size_t size, const std::size_t runs)
   {
     std::vector<int> one, all;
     const double alone = seconds_of(wall_seconds, [&] { one = segment(cloud); });
-    ratio.push_back(alone /
-                    seconds_of(wall_seconds, [&] { all = segment<CGAL::Parallel_tag>(cloud); }));
+    ratio.push_back(alone / seconds_of(wall_seconds, [&]
+                                       { all = segment<CGAL::Parallel_if_available_tag>(cloud); }));
     same = same && one == all;
   }
   std::cout << "all threads on " << size << " points: " << std::setprecision(2) << median(ratio)

@@ -113,8 +113,7 @@ inline std::vector<Labeling> segment_by_preset(const Shape& shape, const std::st
 inline WCS::internal::Raw_points raw_points(const Shape& shape)
 {
   if (!shape.mesh.is_empty())
-    return WCS::internal::read_mesh(shape.mesh, shape.mesh.points(),
-                                    WCS::internal::Default_traits());
+    return WCS::internal::read_mesh(shape.mesh, CGAL::parameters::default_values());
   return WCS::internal::read_soup(kernel_points(shape.soup), shape.soup.faces,
                                   CGAL::Identity_property_map<Kernel::Point_3>());
 }

@@ -59,7 +59,7 @@ int main()
   std::vector<std::size_t> indices(samples.size());
   std::iota(indices.begin(), indices.end(), std::size_t(0));
   const auto result = CGAL::weakly_convex_segmentation(
-      indices, Part_map{&samples}, {}, CGAL::parameters::point_map(positions).normal_map(normals));
+      indices, Part_map{&samples}, CGAL::parameters::point_map(positions).normal_map(normals));
 
   std::cout << result.number_of_segments() << " segments, the first sample is in "
             << samples.front().part << '\n';

@@ -41,7 +41,7 @@ int main()
 
   Stage_printer printer;
   const WCS::Result result = CGAL::weakly_convex_segmentation_of_soup(
-      points, shape.faces, WCS::Parameters(), CGAL::parameters::visitor(std::ref(printer)));
+      points, shape.faces, CGAL::parameters::visitor(std::ref(printer)));
   std::cout << result.number_of_segments() << " segments\n";
 
   // From few large parts to many small ones. The borders are those of the patches.

@@ -8,6 +8,7 @@
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/Segmenter.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
+#include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -23,23 +24,45 @@ namespace CGAL {
 /// convex components where they see each other inside of the shape, components of similar volume are
 /// merged, and the borders refined.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result does not depend on it. With the
-///   latter, the maps of a range of points are read by several threads at once.
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked; the result does not depend on it. With
+///   the latter, the maps of a range of points are read by several threads at once.
 /// \tparam Input one of
 ///   - a model of `ConstRange` of points: the value type is the key type of the maps;
 ///   - a `CGAL::Point_set_3`, with or without normals: its index is the key type of `LabelMap`;
-///   - a triangle mesh, model of `FaceListGraph`: the key type of `LabelMap` is its face descriptor;
-///     each face counts as one oriented point, long ones as several (`Parameters::face_sampling_factor`).
+///   - a triangle mesh, model of `FaceListGraph` and `EdgeListGraph`: the key type of `LabelMap` is its face
+///     descriptor; each face counts as one oriented point, long ones as several (`Parameters::face_sampling_factor`).
 /// \tparam LabelMap a model of `WritablePropertyMap` with value type `int`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param input the shape, of at most 2^32 - 2 elements, in any unit of length; it is not changed
 /// \param label_map receives the label of each element, numbered from 0 without gaps in the order of the
 ///   first element of each; it is written only when all has succeeded
-/// \param parameters the knobs of the algorithm
-/// \param np optional named parameters
+/// \param np optional named parameters. Where names of this package and of %CGAL are given, begin with one of
+///   this package. Those that mean nothing for an input are refused by the compiler.
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{segmentation_parameters}
+///     \cgalParamDescription{the knobs of the algorithm: a preset or values of your own; parameters below have
+///       precedence over its members}
+///     \cgalParamType{`Weakly_convex_segmentation::Parameters`}
+///     \cgalParamDefault{`Weakly_convex_segmentation::Parameters()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_segments}
+///     \cgalParamDescription{takes the place of `Parameters::maximum_number_of_segments`; 0: no limit}
+///     \cgalParamType{an integer, at least 0}
+///     \cgalParamDefault{that of `segmentation_parameters`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_segment_share}
+///     \cgalParamDescription{takes the place of `Parameters::minimum_segment_share`}
+///     \cgalParamType{`double`, in `[0, 1]`}
+///     \cgalParamDefault{that of `segmentation_parameters`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{level}
+///     \cgalParamDescription{which labels `label_map` receives, see `Weakly_convex_segmentation::Result::labels_at()`;
+///       the result has all of them in any case}
+///     \cgalParamType{`Weakly_convex_segmentation::Level`}
+///     \cgalParamDefault{`Weakly_convex_segmentation::Level::SEGMENTS`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{point_map}
 ///     \cgalParamDescription{a property map from the elements of a range to points}
 ///     \cgalParamType{a model of `ReadablePropertyMap`, value type `Point_3`}
@@ -54,7 +77,14 @@ namespace CGAL {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map from the vertices of a mesh to points}
+///     \cgalParamType{a model of `ReadablePropertyMap`, value type `Point_3`}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_index_map}
+///     \cgalParamDescription{a property map from the faces of a mesh to numbers, each another one from 0 to
+///       `num_faces(mesh) - 1`; results do not depend on it}
+///     \cgalParamType{a model of `ReadablePropertyMap`, value type an integer}
+///     \cgalParamDefault{an automatically indexed internal map, which is initialized if it is not}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{gives the coordinates of points and vectors, which are converted to `double`}
@@ -76,14 +106,14 @@ namespace CGAL {
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{takes the place of `Parameters::seed`}
 ///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{`Parameters::seed`}
+///     \cgalParamDefault{that of `segmentation_parameters`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns labels in input order, what is known of each segment, and the merge tree
 ///
-/// \throws std::invalid_argument if there are no elements or too many, a coordinate is not finite, or a
-///   parameter is out of its range
+/// \throws std::invalid_argument if there are no elements or too many, a coordinate is not finite, a
+///   parameter is out of its range, or `face_index_map` has a number twice
 /// \throws Weakly_convex_segmentation::Canceled if the callback returns false
 ///
 /// Whatever else the callback, the visitor or a property map throws passes through.
@@ -97,14 +127,24 @@ template <typename ConcurrencyTag = Sequential_tag, typename Input, typename Lab
           typename NamedParameters = parameters::Default_named_parameters>
 Weakly_convex_segmentation::Result
 weakly_convex_segmentation(const Input& input, LabelMap label_map,
-                           const Weakly_convex_segmentation::Parameters& parameters = {},
                            const NamedParameters& np = parameters::default_values())
 {
-  using Segmenter = Weakly_convex_segmentation::Segmenter<ConcurrencyTag>;
-  Segmenter segmenter(input, parameters, np);
-  Weakly_convex_segmentation::Result result = segmenter.segment(parameters);
-  Weakly_convex_segmentation::internal::write_labels(input, result.labels, label_map);
-  return result;
+  return Weakly_convex_segmentation::internal::segment_input<ConcurrencyTag>(
+      input, label_map, Weakly_convex_segmentation::internal::as_cgal(np));
+}
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// is the same with `Weakly_convex_segmentation::Parameters` before the named parameters, which have
+/// precedence where both give a value.
+template <typename ConcurrencyTag = Sequential_tag, typename Input, typename LabelMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Weakly_convex_segmentation::Result
+weakly_convex_segmentation(const Input& input, LabelMap label_map,
+                           const Weakly_convex_segmentation::Parameters& parameters,
+                           const NamedParameters& np = parameters::default_values())
+{
+  using namespace Weakly_convex_segmentation::internal;
+  return segment_input<ConcurrencyTag>(input, label_map, with_parameters(parameters, as_cgal(np)));
 }
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -121,8 +161,7 @@ weakly_convex_segmentation(const Input& input, LabelMap label_map,
 /// \param points the corners of the polygons; points that none names are allowed,
 ///   but have to be finite, too
 /// \param polygons indices from 0, at least 3 each; neither they nor the points are changed
-/// \param parameters the knobs of the algorithm
-/// \param np `point_map`, `geom_traits`, `callback`, `visitor` and `random_seed` of
+/// \param np `segmentation_parameters`, `maximum_number_of_segments`, `minimum_segment_share`, `point_map`, `geom_traits`, `callback`, `visitor` and `random_seed` of
 ///   `weakly_convex_segmentation()`
 ///
 /// \returns a result with one label a polygon, in the order of `polygons`
@@ -136,11 +175,23 @@ template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typenam
           typename NamedParameters = parameters::Default_named_parameters>
 Weakly_convex_segmentation::Result
 weakly_convex_segmentation_of_soup(const PointRange& points, const PolygonRange& polygons,
-                                   const Weakly_convex_segmentation::Parameters& parameters = {},
                                    const NamedParameters& np = parameters::default_values())
 {
-  Weakly_convex_segmentation::Segmenter<ConcurrencyTag> segmenter(points, polygons, parameters, np);
-  return segmenter.segment(parameters);
+  return Weakly_convex_segmentation::Segmenter<ConcurrencyTag>(points, polygons, np).segment();
+}
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// is the same with `Weakly_convex_segmentation::Parameters` before the named parameters, which have
+/// precedence where both give a value.
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename PolygonRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Weakly_convex_segmentation::Result
+weakly_convex_segmentation_of_soup(const PointRange& points, const PolygonRange& polygons,
+                                   const Weakly_convex_segmentation::Parameters& parameters,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  return Weakly_convex_segmentation::Segmenter<ConcurrencyTag>(points, polygons, parameters, np)
+      .segment();
 }
 
 } // namespace CGAL

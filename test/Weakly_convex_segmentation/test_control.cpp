@@ -278,7 +278,7 @@ BOOST_AUTO_TEST_CASE(the_callback_is_heeded_within_stages)
       return --left > 0;
     };
     BOOST_CHECK_THROW(
-        CGAL::weakly_convex_segmentation<CGAL::Parallel_tag>(
+        CGAL::weakly_convex_segmentation<CGAL::Parallel_if_available_tag>(
             bare, Bare_label_writer{&written}, Parameters(), CGAL::parameters::callback(stop)),
         WCS::Canceled);
     BOOST_CHECK(written.empty());
@@ -306,7 +306,8 @@ BOOST_AUTO_TEST_CASE(the_seed_is_used_and_two_runs_are_the_same)
 BOOST_AUTO_TEST_CASE(parallel_runs_give_the_same_labels)
 {
   for (const Parameters& preset : presets)
-    BOOST_CHECK(equal(segment(preset, maps()), segment<CGAL::Parallel_tag>(preset, maps())));
+    BOOST_CHECK(
+        equal(segment(preset, maps()), segment<CGAL::Parallel_if_available_tag>(preset, maps())));
 }
 
 BOOST_AUTO_TEST_CASE(two_threads_do_not_disturb_each_other)

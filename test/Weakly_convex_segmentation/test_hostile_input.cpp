@@ -107,7 +107,7 @@ Result segment_soup(const std::vector<Point>& points, const std::vector<Polygon>
 
 struct No_map
 {
-  using key_type = Point;
+  using key_type = void; // any
   using value_type = int;
   using reference = void;
   using category = boost::writable_property_map_tag;

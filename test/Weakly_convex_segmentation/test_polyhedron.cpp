@@ -4,8 +4,10 @@
 #define BOOST_TEST_MODULE Polyhedron
 #include <boost/test/included/unit_test.hpp>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Weakly_convex_segmentation/mesh_diameters.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -39,10 +41,10 @@ const Shape_generator::Labeled_mesh& two_spheres()
 }
 
 /// a mesh with its faces in the order of the shape
-template <typename Kernel>
+template <typename Kernel, typename Items = CGAL::Polyhedron_items_3>
 struct Polyhedron
 {
-  using Mesh = CGAL::Polyhedron_3<Kernel>;
+  using Mesh = CGAL::Polyhedron_3<Kernel, Items>;
   using Face = typename boost::graph_traits<Mesh>::face_descriptor;
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   Mesh mesh;
@@ -63,11 +65,11 @@ struct Polyhedron
   }
 };
 
-template <typename Kernel>
+template <typename Kernel, typename Items = CGAL::Polyhedron_items_3>
 CGAL::Weakly_convex_segmentation::Result segment_polyhedron()
 {
-  const Polyhedron<Kernel> shape(two_spheres());
-  std::map<typename Polyhedron<Kernel>::Face, int> labels;
+  const Polyhedron<Kernel, Items> shape(two_spheres());
+  std::map<typename Polyhedron<Kernel, Items>::Face, int> labels;
   const auto result =
       CGAL::weakly_convex_segmentation(shape.mesh, boost::make_assoc_property_map(labels));
   check_result(result, shape.faces.size());
@@ -92,11 +94,17 @@ struct Array_traits
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(polyhedra_of_two_kernels_have_the_same_parts)
+BOOST_AUTO_TEST_CASE(polyhedra_of_three_kernels_have_the_same_parts)
 {
   const auto epick = segment_polyhedron<CGAL::Exact_predicates_inexact_constructions_kernel>();
   const auto simple = segment_polyhedron<CGAL::Simple_cartesian<double>>();
   BOOST_CHECK(epick.labels == simple.labels);
+  const auto epeck = segment_polyhedron<CGAL::Exact_predicates_exact_constructions_kernel>();
+  BOOST_CHECK(epeck.labels == simple.labels);
+  // faces with numbers that nobody has set
+  const auto with_numbers =
+      segment_polyhedron<CGAL::Simple_cartesian<double>, CGAL::Polyhedron_items_with_id_3>();
+  BOOST_CHECK(with_numbers.labels == simple.labels);
   BOOST_CHECK_LT(rand_distance(epick.labels, two_spheres().labels), 0.1);
   const auto soup_points = [&]
   {

@@ -7,6 +7,8 @@
 #include <CGAL/Weakly_convex_segmentation/Merge_tree.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -47,6 +49,7 @@ struct Result
   /// returns one label an input element, in input order: the segments with their refined borders, or
   /// the patches or components as they were merged, without refinement. Labels of regions without an
   /// element, which are possible on meshes, are left out: there may be gaps.
+  /// \pre `patches` are leaves of `merge_tree`, as they were returned.
   /// Complexity: linear in the number of elements.
   std::vector<int> labels_at(const Level level) const
   {
@@ -55,7 +58,10 @@ struct Result
         merge_tree.labels_after(level == Level::COMPONENTS ? merge_tree.number_of_fusions() : 0);
     std::vector<int> result(patches.size());
     for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      CGAL_precondition(patches[i] >= 0 && static_cast<std::size_t>(patches[i]) < regions.size());
       result[i] = regions[static_cast<std::size_t>(patches[i])];
+    }
     return result;
   }
 };

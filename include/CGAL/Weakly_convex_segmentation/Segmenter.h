@@ -6,19 +6,68 @@
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
+#include <CGAL/Weakly_convex_segmentation/internal/check_call.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/read_input.h>
+#include <CGAL/Weakly_convex_segmentation/named_parameters.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
+namespace internal {
+
+inline std::unique_ptr<Shape_analysis> analyze(const Raw_points& raw, const Parameters& parameters,
+                                               const Run_control& control)
+{
+  parameters.check();
+  control.progress(0.);
+  return analyze_shape(raw, parameters, control);
+}
+
+inline Result segment(Shape_analysis& shape, const Parameters& parameters,
+                      const Run_control& control)
+{
+  parameters.check();
+  Contraction contraction = contract_patches(shape, parameters, control);
+  const std::vector<int> regions = regions_at(contraction.tree, Level::SEGMENTS);
+  return finish_segmentation(shape, std::move(contraction), regions, parameters, control);
+}
+
+/// `weakly_convex_segmentation()` with named parameters of CGAL's class.
+template <typename ConcurrencyTag, typename Input, typename LabelMap, typename NamedParameters>
+Result segment_input(const Input& input, LabelMap label_map, const NamedParameters& np)
+{
+  constexpr Mistake mistake = mistake_in_call<Input, LabelMap, NamedParameters>();
+  refuse<mistake, Input, LabelMap, NamedParameters>();
+  if constexpr (mistake == Mistake::NONE)
+  {
+    const Run_control control = read_control<ConcurrencyTag>(np);
+    const Parameters parameters = read_parameters(np);
+    const auto shape = analyze(read_input<ConcurrencyTag>(input, np), parameters, control);
+    Result result = segment(*shape, parameters, control);
+    if constexpr (is_given<NamedParameters, names::level_t>)
+      write_labels(input, result.labels_at(CGAL::parameters::get_parameter(np, names::level_t())),
+                   label_map);
+    else
+      write_labels(input, result.labels, label_map);
+    return result;
+  }
+  else
+    return {};
+}
+
+} // namespace internal
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// A shape with its patches and lines of sight, for more than one segmentation.
@@ -30,32 +79,48 @@ namespace Weakly_convex_segmentation {
 /// once, one object by one thread at a time, also by its functions that are const. It can be moved, not
 /// copied.
 ///
+/// \pre for all member functions: the object was not moved from.
+///
 /// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`
 template <typename ConcurrencyTag = Sequential_tag>
 class Segmenter
 {
 public:
-  /// reads a range of points, a `CGAL::Point_set_3` or a triangle mesh. Input, named parameters,
+  /// reads a range of points, a `CGAL::Point_set_3` or a mesh. Input, named parameters but `level`,
   /// exceptions and complexity are those of `weakly_convex_segmentation()`.
   template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
-  explicit Segmenter(const Input& input, const Parameters& parameters = {},
-                     const NamedParameters& np = parameters::default_values())
-    : Segmenter(internal::read_input<ConcurrencyTag>(input, np), parameters,
-                internal::read_control<ConcurrencyTag>(np), internal::read_seed(np, parameters))
-  {}
+  explicit Segmenter(const Input& input, const NamedParameters& np = parameters::default_values())
+  {
+    if constexpr (internal::Is_range<NamedParameters>::value)
+      read_soup(input, np, parameters::default_values());
+    else
+      read(input, internal::as_cgal(np));
+  }
+
+  /// is the same with `Parameters` before the named parameters, which have precedence.
+  template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
+  Segmenter(const Input& input, const Parameters& parameters,
+            const NamedParameters& np = parameters::default_values())
+  {
+    read(input, internal::with_parameters(parameters, internal::as_cgal(np)));
+  }
 
   /// reads a polygon soup. Input, named parameters, exceptions and complexity are those of
   /// `weakly_convex_segmentation_of_soup()`.
-  template <typename PointRange, typename PolygonRange, typename NamedParameters,
-            typename = typename PolygonRange::const_iterator>
+  template <typename PointRange, typename PolygonRange, typename NamedParameters>
+  Segmenter(const PointRange& points, const PolygonRange& polygons, const NamedParameters& np)
+  {
+    read_soup(points, polygons, internal::as_cgal(np));
+  }
+
+  /// is the same with `Parameters` before the named parameters, which have precedence.
+  template <typename PointRange, typename PolygonRange,
+            typename NamedParameters = parameters::Default_named_parameters>
   Segmenter(const PointRange& points, const PolygonRange& polygons, const Parameters& parameters,
-            const NamedParameters& np)
-    : Segmenter(internal::read_soup(points, polygons, internal::point_map_of(points, np),
-                                    internal::traits_of(np),
-                                    internal::read_control<ConcurrencyTag>(np)),
-                parameters, internal::read_control<ConcurrencyTag>(np),
-                internal::read_seed(np, parameters))
-  {}
+            const NamedParameters& np = parameters::default_values())
+  {
+    read_soup(points, polygons, internal::with_parameters(parameters, internal::as_cgal(np)));
+  }
 
   /// segments with the given rules and thresholds. What the constructor has used (number of neighbors,
   /// representatives, patches and sets of patches, visibility, diameters, seed) stays as it was given there.
@@ -66,11 +131,16 @@ public:
   /// lines of sight that were not cast before.
   Result segment(const Parameters& parameters)
   {
-    parameters.check();
-    internal::Contraction contraction = internal::contract_patches(*m_shape, parameters, m_control);
-    const std::vector<int> regions = internal::regions_at(contraction.tree, Level::SEGMENTS);
-    return internal::finish_segmentation(*m_shape, std::move(contraction), regions, parameters,
-                                         m_control);
+    CGAL_precondition(m_shape != nullptr);
+    return internal::segment(*m_shape, parameters, m_control);
+  }
+
+  /// is the same with the parameters of the constructor, but for what is named:
+  /// `segmentation_parameters`, `maximum_number_of_segments` and `minimum_segment_share`.
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  Result segment(const NamedParameters& np = parameters::default_values())
+  {
+    return segment_with(internal::as_cgal(np));
   }
 
   /// refines the borders of another cut through a merge tree of this shape: the labels of its patches
@@ -86,6 +156,7 @@ public:
   Result refine(const Merge_tree& tree, const std::vector<int>& patch_labels,
                 const Parameters& parameters)
   {
+    CGAL_precondition(m_shape != nullptr);
     parameters.check();
     if (patch_labels.size() != m_shape->patches().size())
       throw std::invalid_argument("there are " + std::to_string(patch_labels.size()) +
@@ -110,6 +181,7 @@ public:
   /// Complexity: linear in the number of elements.
   void set_diameters(const std::vector<double>& diameters)
   {
+    CGAL_precondition(m_shape != nullptr);
     if (diameters.size() != m_shape->input.number_of_elements)
       throw std::invalid_argument("there are " + std::to_string(diameters.size()) +
                                   " diameters for " +
@@ -118,7 +190,11 @@ public:
   }
 
   /// returns the number of patches, the leaves of each merge tree; about `Parameters::number_of_patches`.
-  std::size_t number_of_patches() const { return m_shape->patches().size(); }
+  std::size_t number_of_patches() const
+  {
+    CGAL_precondition(m_shape != nullptr);
+    return m_shape->patches().size();
+  }
 
   /// returns the convexity rank \f$ |LoS(S)| / |S|^2 \f$ (equation 1) of a subset of the input.
   /// \param subset indices of input elements, in input order
@@ -134,6 +210,7 @@ public:
   double convexity_rank(const std::vector<std::size_t>& subset, const std::size_t sample_size = 100,
                         const double tolerance = 5.) const
   {
+    CGAL_precondition(m_shape != nullptr);
     if (sample_size == 0)
       throw std::invalid_argument("the convexity rank needs a sample of at least 1 element");
     if (!(tolerance >= 0. && tolerance <= 90.))
@@ -156,16 +233,48 @@ public:
   }
 
 private:
-  Segmenter(const internal::Raw_points& raw, Parameters parameters, internal::Run_control control,
-            const unsigned int seed)
-    : m_control(std::move(control))
+  template <typename Input, typename NamedParameters>
+  void read(const Input& input, const NamedParameters& np)
   {
-    parameters.seed = seed;
-    parameters.check();
-    m_control.progress(0.);
-    m_shape = internal::analyze_shape(raw, parameters, m_control);
+    constexpr internal::Mistake mistake = internal::mistake_in_input<Input, NamedParameters>();
+    internal::refuse<mistake, Input, NamedParameters>();
+    if constexpr (mistake == internal::Mistake::NONE)
+      start(internal::read_input<ConcurrencyTag>(input, np), np);
   }
 
+  template <typename PointRange, typename PolygonRange, typename NamedParameters>
+  void read_soup(const PointRange& points, const PolygonRange& polygons, const NamedParameters& np)
+  {
+    constexpr internal::Mistake mistake =
+        internal::mistake_in_soup<PointRange, PolygonRange, NamedParameters>();
+    internal::refuse<mistake, PointRange, PolygonRange, NamedParameters>();
+    if constexpr (mistake == internal::Mistake::NONE)
+      start(internal::read_soup(points, polygons, internal::point_map_of(points, np),
+                                internal::traits_of(np),
+                                internal::read_control<ConcurrencyTag>(np)),
+            np);
+  }
+
+  template <typename NamedParameters>
+  void start(const internal::Raw_points& raw, const NamedParameters& np)
+  {
+    m_control = internal::read_control<ConcurrencyTag>(np);
+    m_parameters = internal::read_parameters(np);
+    m_shape = internal::analyze(raw, m_parameters, m_control);
+  }
+
+  template <typename NamedParameters>
+  Result segment_with(const NamedParameters& np)
+  {
+    constexpr internal::Mistake mistake = internal::mistake_in_thresholds<NamedParameters>();
+    internal::refuse<mistake, NamedParameters>();
+    if constexpr (mistake == internal::Mistake::NONE)
+      return segment(internal::read_parameters(np, m_parameters));
+    else
+      return {};
+  }
+
+  Parameters m_parameters;
   internal::Run_control m_control;
   std::unique_ptr<internal::Shape_analysis> m_shape;
 };

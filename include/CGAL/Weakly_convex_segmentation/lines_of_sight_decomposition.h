@@ -7,6 +7,7 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
+#include <CGAL/Weakly_convex_segmentation/internal/check_call.h>
 #include <CGAL/Weakly_convex_segmentation/internal/lines_of_sight_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/read_input.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -154,7 +156,7 @@ inline Lines_of_sight_result decompose_by_lines_of_sight(const Raw_points& raw,
 /// \param input the shape; it is not changed
 /// \param label_map receives the label of each element; it is written only when all has succeeded
 /// \param parameters the knobs
-/// \param np the named parameters of `weakly_convex_segmentation()` but `visitor`
+/// \param np those named parameters of `weakly_convex_segmentation()` that CGAL has, but `visitor`
 ///
 /// \returns labels in input order and what is known of each part. There are as many parts as given
 ///   unless the shape has fewer distinct points, or, on meshes, a part holds no whole face.
@@ -173,11 +175,22 @@ lines_of_sight_decomposition(const Input& input, LabelMap label_map,
                              const Lines_of_sight_parameters& parameters = {},
                              const NamedParameters& np = parameters::default_values())
 {
-  Lines_of_sight_result result = internal::decompose_by_lines_of_sight(
-      internal::read_input<ConcurrencyTag>(input, np), parameters,
-      internal::read_control<ConcurrencyTag>(np), internal::read_seed(np, parameters.shape));
-  internal::write_labels(input, result.labels, label_map);
-  return result;
+  const auto& plain = internal::as_cgal(np);
+  constexpr internal::Mistake mistake =
+      internal::mistake_in_call<Input, LabelMap, std::decay_t<decltype(plain)>,
+                                internal::No_name>();
+  internal::refuse<mistake, Input, LabelMap, NamedParameters>();
+  if constexpr (mistake == internal::Mistake::NONE)
+  {
+    Lines_of_sight_result result = internal::decompose_by_lines_of_sight(
+        internal::read_input<ConcurrencyTag>(input, plain), parameters,
+        internal::read_control<ConcurrencyTag>(plain),
+        internal::read_seed(plain, parameters.shape));
+    internal::write_labels(input, result.labels, label_map);
+    return result;
+  }
+  else
+    return {};
 }
 
 } // namespace Weakly_convex_segmentation

@@ -7,11 +7,13 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/exceptions.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
 
@@ -53,14 +55,31 @@ Mesh make_dumbbell(const int rings, const int sectors)
   return mesh;
 }
 
+// A contract, which is checked in a Debug build such as this one.
+bool refuses_what_was_moved_from(const Mesh& mesh)
+{
+  WCS::Segmenter<> first(mesh);
+  const WCS::Segmenter<> second = std::move(first);
+  if (second.number_of_patches() == 0) return false;
+  CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+  try
+  {
+    first.segment();
+  }
+  catch (const CGAL::Precondition_exception&)
+  {
+    return true;
+  }
+  return false;
+}
+
 int main()
 {
   Mesh mesh = make_dumbbell(60, 48);
   auto label = mesh.add_property_map<Face, int>("f:label", -1).first;
 
-  WCS::Parameters parameters;
-  parameters.maximum_number_of_segments = 2;
-  const WCS::Result result = CGAL::weakly_convex_segmentation(mesh, label, parameters);
+  const WCS::Result result = CGAL::weakly_convex_segmentation(
+      mesh, label, CGAL::parameters::maximum_number_of_segments(2).random_seed(1));
 
   std::cout << result.number_of_segments() << " segments of " << mesh.number_of_faces()
             << " faces\n";
@@ -70,6 +89,11 @@ int main()
       std::cerr << "face " << face << " has the label " << label[face] << '\n';
       return EXIT_FAILURE;
     }
+  if (!refuses_what_was_moved_from(mesh))
+  {
+    std::cerr << "an object that was moved from is not refused\n";
+    return EXIT_FAILURE;
+  }
   const bool succeeded = result.number_of_segments() >= 1 && result.number_of_segments() <= 2 &&
                          result.labels.size() == mesh.number_of_faces();
   return succeeded ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -9,7 +9,9 @@
 #include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/polygons.h>
+#include <CGAL/Weakly_convex_segmentation/internal/read_parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/soup_orientation.h>
+#include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -26,7 +28,6 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -40,45 +41,6 @@ class Point_set_3;
 
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// Default model of the concept `WeaklyConvexSegmentationTraits`: points and vectors of any CGAL kernel.
-struct Default_traits
-{
-  struct Compute_x_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const
-    {
-      return v.x();
-    }
-  };
-  struct Compute_y_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const
-    {
-      return v.y();
-    }
-  };
-  struct Compute_z_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const
-    {
-      return v.z();
-    }
-  };
-  Compute_x_3 compute_x_3_object() const { return {}; }
-  Compute_y_3 compute_y_3_object() const { return {}; }
-  Compute_z_3 compute_z_3_object() const { return {}; }
-};
-
-template <typename NamedParameters>
-auto traits_of(const NamedParameters& np)
-{
-  return CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Default_traits());
-}
 
 /// Reads points and vectors through the traits.
 template <typename Traits>
@@ -97,37 +59,28 @@ public:
   }
 };
 
-template <typename NamedParameters, typename Tag>
-constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
-
-/// reads the named parameters that are not about geometry.
-template <typename ConcurrencyTag, typename NamedParameters>
-Run_control read_control(const NamedParameters& np)
-{
-  Run_control control;
-  control.parallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value;
-  if constexpr (is_given<NamedParameters, CGAL::internal_np::callback_t>)
-    control.callback = CGAL::parameters::get_parameter(np, CGAL::internal_np::callback);
-  if constexpr (is_given<NamedParameters, CGAL::internal_np::visitor_t>)
-    control.visitor = &CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor);
-  return control;
-}
-
-template <typename NamedParameters>
-unsigned int read_seed(const NamedParameters& np, const Parameters& parameters)
-{
-  return CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed), parameters.seed);
-}
+template <typename Range>
+using Element_of = std::decay_t<decltype(*std::declval<const Range&>().begin())>;
 
 /// returns the point map that was given or the identity.
 template <typename Range, typename NamedParameters>
 auto point_map_of(const Range&, const NamedParameters& np)
 {
-  using Element = typename std::iterator_traits<typename Range::const_iterator>::value_type;
   return CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::point_map),
-      CGAL::Identity_property_map<Element>());
+      CGAL::Identity_property_map<Element_of<Range>>());
+}
+
+/// returns the points of the vertices that were given or the mesh's own.
+template <typename FaceGraph, typename NamedParameters>
+auto vertex_points_of([[maybe_unused]] const FaceGraph& mesh,
+                      [[maybe_unused]] const NamedParameters& np)
+{
+  // a mesh whose points are given need not have any
+  if constexpr (is_given<NamedParameters, CGAL::internal_np::vertex_point_t>)
+    return CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point);
+  else
+    return get_const_property_map(CGAL::vertex_point, mesh);
 }
 
 /// brings positions of an unusual magnitude to about 1.
@@ -190,23 +143,55 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
   return raw;
 }
 
+/// The place of each face of a mesh in the order of `faces()`, by its number in an index map.
+template <typename FaceIndexMap>
+class Face_places
+{
+  static constexpr Index none = static_cast<Index>(-1);
+  FaceIndexMap m_numbers;
+  std::vector<Index> m_places;
+
+public:
+  Face_places(const FaceIndexMap& numbers, const std::size_t number_of_faces)
+    : m_numbers(numbers), m_places(number_of_faces, none)
+  {}
+
+  template <typename Face>
+  void append(const Face& face, const std::size_t place)
+  {
+    const auto number = static_cast<std::size_t>(get(m_numbers, face));
+    if (number >= m_places.size() || m_places[number] != none)
+      throw std::invalid_argument("face_index_map gives face " + std::to_string(place) +
+                                  " the number " + std::to_string(number) +
+                                  ", but numbers have to differ and be less than that of faces");
+    m_places[number] = static_cast<Index>(place);
+  }
+
+  template <typename Face>
+  Index operator()(const Face& face) const
+  {
+    return m_places[static_cast<std::size_t>(get(m_numbers, face))];
+  }
+};
+
 /// reads a mesh as one point a face (section 6): centroid, normal, and links between faces that
 /// share an edge.
-template <typename FaceGraph, typename VertexPointMap, typename Traits>
-Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const Traits& traits,
+template <typename FaceGraph, typename NamedParameters>
+Raw_points read_mesh(const FaceGraph& mesh, const NamedParameters& np,
                      const Run_control& control = {})
 {
-  const Coordinate_reader coordinates(traits);
+  const Coordinate_reader coordinates(traits_of(np));
+  const auto points = vertex_points_of(mesh, np);
   using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
   Raw_points raw;
-  std::unordered_map<face_descriptor, Index> index;
+  Face_places places(CGAL::get_initialized_face_index_map(mesh, np), num_faces(mesh));
   std::vector<Coordinates> corners;
   for (const face_descriptor f : faces(mesh))
   {
     corners.clear();
     for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
       corners.push_back(coordinates(get(points, v)));
-    index.emplace(f, static_cast<Index>(raw.positions.size()));
+    places.append(f, raw.positions.size());
     add_polygon(corners, raw);
     control.check_sometimes();
   }
@@ -215,7 +200,7 @@ Raw_points read_mesh(const FaceGraph& mesh, const VertexPointMap& points, const 
   {
     const auto h = halfedge(e, mesh);
     const face_descriptor f = face(h, mesh), g = face(opposite(h, mesh), mesh);
-    if (f != none && g != none) raw.links.push_back({index.at(f), index.at(g)});
+    if (f != none && g != none) raw.links.push_back({places(f), places(g)});
     control.check_sometimes();
   }
   scale_polygons(raw);
@@ -319,11 +304,7 @@ Raw_points read_input(const Input& input, const NamedParameters& np)
   else if constexpr (Is_range<Input>::value)
     return read_points(input, np, control);
   else
-    return read_mesh(input,
-                     CGAL::parameters::choose_parameter(
-                         CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                         get_const_property_map(CGAL::vertex_point, input)),
-                     traits_of(np), control);
+    return read_mesh(input, np, control);
 }
 
 /// writes the labels back through the caller's map.
