@@ -40,7 +40,7 @@ public:
   template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
   explicit Segmenter(const Input& input, const Parameters& parameters = {},
                      const NamedParameters& np = parameters::default_values())
-    : Segmenter(internal::read_input<ConcurrencyTag>(input, np), parameters,
+    : Segmenter(internal::read_input<ConcurrencyTag>(input, np, parameters), parameters,
                 internal::read_control<ConcurrencyTag>(np), internal::read_seed(np, parameters))
   {}
 

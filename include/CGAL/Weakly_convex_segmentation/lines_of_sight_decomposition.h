@@ -174,7 +174,7 @@ lines_of_sight_decomposition(const Input& input, LabelMap label_map,
                              const NamedParameters& np = parameters::default_values())
 {
   Lines_of_sight_result result = internal::decompose_by_lines_of_sight(
-      internal::read_input<ConcurrencyTag>(input, np), parameters,
+      internal::read_input<ConcurrencyTag>(input, np, parameters.shape), parameters,
       internal::read_control<ConcurrencyTag>(np), internal::read_seed(np, parameters.shape));
   internal::write_labels(input, result.labels, label_map);
   return result;
