@@ -47,7 +47,7 @@ enum class Diameter_rule
   OWN_POINTS,  ///< lengths to the component's own points in a cone (section 5)
   WHOLE_SHAPE, ///< cast rays in a cone until they leave the shape, whichever component is hit
   GIVEN ///< what was passed to `Segmenter::set_diameters()`, for instance CGAL's shape diameter
-        ///< function on sampled faces by `mesh_diameters()`
+        ///< function by `mesh_diameters()`
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef

@@ -106,7 +106,10 @@ public:
   ///   where there is none
   /// \throws std::invalid_argument if there is not one an element
   ///
-  /// They take the place of what the constructor measured. `Diameter_rule::OWN_POINTS` does not use them.
+  /// They take the place of the diameters that the constructor measured; which parts of the shape face each
+  /// other, on which the closure of the parts rests, stays as it was measured. A segmentation uses them with
+  /// `Diameter_rule::GIVEN` and `WHOLE_SHAPE`; `OWN_POINTS` does not. The constructor need not measure
+  /// diameters of its own with `GIVEN`.
   /// Complexity: linear in the number of elements.
   void set_diameters(const std::vector<double>& diameters)
   {
@@ -114,7 +117,7 @@ public:
       throw std::invalid_argument("there are " + std::to_string(diameters.size()) +
                                   " diameters for " +
                                   std::to_string(m_shape->input.number_of_elements) + " elements");
-    internal::use_diameters(*m_shape, diameters);
+    internal::use_diameters(*m_shape, diameters, m_control.parallel);
   }
 
   /// returns the number of patches, the leaves of each merge tree; about `Parameters::number_of_patches`.
