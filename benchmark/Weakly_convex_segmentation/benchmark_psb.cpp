@@ -9,6 +9,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Weakly_convex_segmentation/mesh_diameters.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <boost/program_options.hpp>
@@ -109,7 +110,7 @@ WCS::Level level(const std::string& name)
 /// returns whether there is something to run.
 bool read_options(const int argc, char** argv, Options& options)
 {
-  std::string preset_name, stage, ids;
+  std::string preset_name, stage, ids, diameters;
   std::vector<std::string> settings;
   po::options_description visible("benchmark_psb DATA_DIR [options]\n"
                                   "scores the parts of the benchmark's meshes against people's");
@@ -120,6 +121,8 @@ bool read_options(const int argc, char** argv, Options& options)
       "preset", po::value(&preset_name)->default_value("default"), "default, paper or fitted")(
       "stage", po::value(&stage)->default_value("segments"), "patches, components or segments")(
       "set", po::value(&settings)->composing(), "NAME=VALUE of a parameter; may be repeated")(
+      "diameters", po::value(&diameters)->default_value("own"),
+      "own, or cgal: CGAL's shape diameter function, where the mesh is a manifold")(
       "points", po::bool_switch(&options.bare_points), "segment the bare face centroids")(
       "people", po::bool_switch(&options.people), "score people against people instead")(
       "jobs", po::value(&options.jobs)->default_value(1), "models at once, each single-threaded")(
@@ -139,6 +142,12 @@ bool read_options(const int argc, char** argv, Options& options)
   po::notify(map);
   options.parameters = preset(preset_name);
   for (const std::string& s : settings) Named_parameters::set_parameter(options.parameters, s);
+  if (diameters == "cgal")
+    options.parameters.diameter = WCS::Diameter_rule::GIVEN;
+  else if (diameters != "own")
+    throw std::invalid_argument("there are no diameters '" + diameters + "', use own or cgal");
+  if (diameters == "cgal" && options.bare_points)
+    throw std::invalid_argument("points have no diameters by CGAL: leave out --points");
   options.parameters.check();
   options.level = level(stage);
   options.models = ids.empty() ? models_in(options.data) : read_ids(ids);
@@ -161,9 +170,13 @@ WCS::Result segment(const SM::Mesh& soup, const Options& options, Stage_clock& c
           mesh.points(), soup.faces, options.parameters,
           CGAL::parameters::visitor(std::ref(clock)));
   if (!options.bare_points)
-    return WCS::Segmenter<ConcurrencyTag>(mesh, options.parameters,
-                                          CGAL::parameters::visitor(std::ref(clock)))
-        .segment(options.parameters);
+  {
+    WCS::Segmenter<ConcurrencyTag> segmenter(mesh, options.parameters,
+                                             CGAL::parameters::visitor(std::ref(clock)));
+    if (options.parameters.diameter == WCS::Diameter_rule::GIVEN)
+      segmenter.set_diameters(WCS::mesh_diameters(mesh, options.parameters));
+    return segmenter.segment(options.parameters);
+  }
   using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
   std::vector<Oriented> points;
   for (const auto& f : soup.faces)

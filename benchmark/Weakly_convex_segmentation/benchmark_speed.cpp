@@ -5,8 +5,6 @@
 #include "speed_shapes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/mesh_segmentation.h>
 #include <CGAL/property_map.h>
@@ -18,7 +16,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -38,38 +35,9 @@ namespace {
 using namespace Speed_shapes;
 namespace WCS = CGAL::Weakly_convex_segmentation;
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 double wall_seconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-double seconds_of(double (*clock)(), const std::function<void()>& work)
-{
-  const double begin = clock();
-  work();
-  return clock() - begin;
-}
-
-// CGAL's defaults, points in the order of the input: the floor that any such method pays.
-void search_neighbors(const Cloud& cloud)
-{
-  using Traits = CGAL::Search_traits_3<Kernel>;
-  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
-  std::vector<Kernel::Point_3> points;
-  for (const Oriented_point& p : cloud) points.push_back(p.first);
-  Search::Tree tree(points.begin(), points.end());
-  double sum = 0.;
-  for (const Kernel::Point_3& p : points)
-    for (const auto& found : Search(tree, p, 11)) sum += found.second;
-  if (sum < 0.) throw std::logic_error("squared distances are positive");
 }
 
 template <typename Tag = CGAL::Sequential_tag>

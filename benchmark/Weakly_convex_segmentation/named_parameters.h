@@ -63,6 +63,7 @@ inline std::map<std::string, Setter> setters()
       {"number_of_representatives", setter(&P::number_of_representatives)},
       {"link_across_lines", setter(&P::link_across_lines)},
       {"align_principal_axes", setter(&P::align_principal_axes)},
+      {"normal_orientation", setter(&P::normal_orientation)},
       {"use_mesh_adjacency", setter(&P::use_mesh_adjacency)},
       {"face_sampling_factor", setter(&P::face_sampling_factor)},
       {"flip_inward_normals", setter(&P::flip_inward_normals)},

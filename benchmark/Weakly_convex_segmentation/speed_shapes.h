@@ -6,18 +6,23 @@
 
 #include "shape_generator.h"
 
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
+#include <functional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 // Clouds of any size in random order, made in a moment: an ordinary shape, and those that might take
-// longer.
+// longer; and the time of CGAL's neighbor search, the unit of time.
 
 namespace Speed_shapes {
 
@@ -122,6 +127,35 @@ inline Cloud straight_wire(const std::size_t size)
     cloud.push_back({Kernel::Point_3(x, 0., 0.) + 0.05 * n, n});
   }
   return cloud;
+}
+
+inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+inline double seconds_of(double (*clock)(), const std::function<void()>& work)
+{
+  const double begin = clock();
+  work();
+  return clock() - begin;
+}
+
+inline double median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// CGAL's defaults, points in the order of the input: the floor that any such method pays.
+inline void search_neighbors(const Cloud& cloud)
+{
+  using Traits = CGAL::Search_traits_3<Kernel>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+  std::vector<Kernel::Point_3> points;
+  for (const Oriented_point& p : cloud) points.push_back(p.first);
+  Search::Tree tree(points.begin(), points.end());
+  double sum = 0.;
+  for (const Kernel::Point_3& p : points)
+    for (const auto& found : Search(tree, p, 11)) sum += found.second;
+  if (sum < 0.) throw std::logic_error("squared distances are positive");
 }
 
 } // namespace Speed_shapes

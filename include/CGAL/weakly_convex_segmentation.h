@@ -72,8 +72,8 @@ namespace CGAL {
 ///     \cgalParamDescription{a property map from the elements of a range to outward normals of any
 ///       length}
 ///     \cgalParamType{a model of `ReadablePropertyMap`, value type `Vector_3`}
-///     \cgalParamDefault{normals are estimated from the nearest points, and made consistent from
-///       neighbor to neighbor}
+///     \cgalParamDefault{normals are estimated from the nearest points as by `pca_estimate_normals()`, and
+///       turned outwards as `Parameters::normal_orientation` says}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map from the vertices of a mesh to points}

@@ -130,7 +130,6 @@ BOOST_AUTO_TEST_CASE(diameters_can_be_those_of_cgal)
   using Kernel = CGAL::Simple_cartesian<double>;
   const Polyhedron<Kernel> shape(two_spheres()); // of radius 0.26, centers 0.48 apart
   Parameters parameters;
-  parameters.diameter_samples = 500;
   parameters.diameter = CGAL::Weakly_convex_segmentation::Diameter_rule::GIVEN;
   std::vector<double> diameters =
       CGAL::Weakly_convex_segmentation::mesh_diameters(shape.mesh, parameters);
@@ -141,8 +140,7 @@ BOOST_AUTO_TEST_CASE(diameters_can_be_those_of_cgal)
     measured += d > 0. ? 1 : 0;
     wide += d > 0.35 && d < 1.01 ? 1 : 0;
   }
-  BOOST_CHECK_LE(measured, 500u);
-  BOOST_CHECK_GE(measured, 480u);
+  BOOST_CHECK_GE(measured, shape.faces.size() * 96 / 100);
   BOOST_CHECK_GT(wide, measured * 9 / 10);
 
   CGAL::Weakly_convex_segmentation::Segmenter<> segmenter(shape.mesh, parameters);

@@ -4,7 +4,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_PARAMETERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_PARAMETERS_H
 
-#include <cmath>
+#include <CGAL/Weakly_convex_segmentation/Normal_orientation.h>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -46,7 +47,7 @@ enum class Diameter_rule
   OWN_POINTS,  ///< lengths to the component's own points in a cone (section 5)
   WHOLE_SHAPE, ///< cast rays in a cone until they leave the shape, whichever component is hit
   GIVEN ///< what was passed to `Segmenter::set_diameters()`, for instance CGAL's shape diameter
-        ///< function on sampled faces by `mesh_diameters()`
+        ///< function by `mesh_diameters()`
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -115,13 +116,13 @@ struct Parameters
   /// Whether the shape is turned by its principal axes for the run, always aslant to them in the same way,
   /// so that it is cut the same however it lies.
   bool align_principal_axes = true;
+  Normal_orientation normal_orientation = Normal_orientation::PROPAGATION; ///< if none are given
   /// whether the faces of a mesh count as neighbors where they share an edge
   bool use_mesh_adjacency = true;
   /// Whether points without a mesh whose nearest neighbors all lie along one line, as those of a laser
   /// scanner do, are also neighbors of the nearest points beside it.
   bool link_across_lines = true;
-  /// seed of all random choices; any value
-  unsigned int seed = 0;
+  unsigned int seed = 0; ///< seed of all random choices; any value
   /// The points are smoothed where noise turns the normals of neighbors by more degrees (most points have
   /// convex and concave edges in equal measure) or normals contradict positions by twice that, and thinned
   /// by sides where they are crumpled; `[0, 180]`, with 180 never. Given positions stay as they are.
@@ -265,7 +266,7 @@ struct Parameters
 
   /// @}
 
-  /// returns the values and rules of the paper. Where it is silent, see the stage's header.
+  /// returns the values and rules of the paper; where it is silent, see the stage's header.
   static Parameters paper();
 
   /// returns the preset whose merge cost is fitted to people's segmentations of the 190 odd-numbered

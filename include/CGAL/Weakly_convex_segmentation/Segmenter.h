@@ -54,7 +54,7 @@ Result segment_input(const Input& input, LabelMap label_map, const NamedParamete
   {
     const Run_control control = read_control<ConcurrencyTag>(np);
     const Parameters parameters = read_parameters(np);
-    const auto shape = analyze(read_input<ConcurrencyTag>(input, np), parameters, control);
+    const auto shape = analyze(read_input<ConcurrencyTag>(input, np, parameters), parameters, control);
     Result result = segment(*shape, parameters, control);
     if constexpr (is_given<NamedParameters, names::level_t>)
       write_labels(input, result.labels_at(CGAL::parameters::get_parameter(np, names::level_t())),
@@ -177,7 +177,10 @@ public:
   ///   where there is none
   /// \throws std::invalid_argument if there is not one an element
   ///
-  /// They take the place of what the constructor measured. `Diameter_rule::OWN_POINTS` does not use them.
+  /// They take the place of the diameters that the constructor measured; which parts of the shape face each
+  /// other, on which the closure of the parts rests, stays as it was measured. A segmentation uses them with
+  /// `Diameter_rule::GIVEN` and `WHOLE_SHAPE`; `OWN_POINTS` does not. The constructor need not measure
+  /// diameters of its own with `GIVEN`.
   /// Complexity: linear in the number of elements.
   void set_diameters(const std::vector<double>& diameters)
   {
@@ -186,7 +189,7 @@ public:
       throw std::invalid_argument("there are " + std::to_string(diameters.size()) +
                                   " diameters for " +
                                   std::to_string(m_shape->input.number_of_elements) + " elements");
-    internal::use_diameters(*m_shape, diameters);
+    internal::use_diameters(*m_shape, diameters, m_control.parallel);
   }
 
   /// returns the number of patches, the leaves of each merge tree; about `Parameters::number_of_patches`.
@@ -239,7 +242,7 @@ private:
     constexpr internal::Mistake mistake = internal::mistake_in_input<Input, NamedParameters>();
     internal::refuse<mistake, Input, NamedParameters>();
     if constexpr (mistake == internal::Mistake::NONE)
-      start(internal::read_input<ConcurrencyTag>(input, np), np);
+      start(internal::read_input<ConcurrencyTag>(input, np, internal::read_parameters(np)), np);
   }
 
   template <typename PointRange, typename PolygonRange, typename NamedParameters>

@@ -183,7 +183,7 @@ lines_of_sight_decomposition(const Input& input, LabelMap label_map,
   if constexpr (mistake == internal::Mistake::NONE)
   {
     Lines_of_sight_result result = internal::decompose_by_lines_of_sight(
-        internal::read_input<ConcurrencyTag>(input, plain), parameters,
+        internal::read_input<ConcurrencyTag>(input, plain, parameters.shape), parameters,
         internal::read_control<ConcurrencyTag>(plain),
         internal::read_seed(plain, parameters.shape));
     internal::write_labels(input, result.labels, label_map);

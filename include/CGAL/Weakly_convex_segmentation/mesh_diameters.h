@@ -7,60 +7,65 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Surface_mesh_segmentation/internal/SDF_calculation.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/mesh_segmentation.h>
 #include <CGAL/property_map.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <limits>
-#include <unordered_map>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// measures CGAL's shape diameter function on some faces of a triangle mesh, spread evenly over their
-/// order, for `Segmenter::set_diameters()`.
+/// measures CGAL's shape diameter function, `CGAL::sdf_values()` without postprocessing, on all faces of a
+/// triangle mesh, for `Segmenter::set_diameters()`.
 ///
-/// It takes a header of its own as few need it and it brings CGAL's mesh segmentation along.
+/// It takes a header of its own as few need it and it brings CGAL's mesh segmentation along. All faces are
+/// measured, though a sample would do, as the public function has no choice of faces.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 /// \param mesh a triangle mesh, closed for meaningful diameters; it is not changed
-/// \param parameters gives the number of faces (`Parameters::diameter_samples`), the rays a face
-///   (`Parameters::diameter_rays`) and the opening angle of the cone (`Parameters::diameter_cone_angle`)
-/// \returns one value a face, in the order of `faces(mesh)` and in units of the mesh: -1 if no ray hit, not a
-///   number if not sampled; nothing for a mesh without faces
+/// \param parameters gives the rays a face (`Parameters::diameter_rays`) and the opening angle of the cone
+///   (`Parameters::diameter_cone_angle`)
+/// \param np optional named parameters
 ///
-/// Complexity: O(f log f) for f faces, and O(log f) a ray. The function is reentrant.
-template <typename TriangleMesh>
-std::vector<double> mesh_diameters(const TriangleMesh& mesh, const Parameters& parameters = {})
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map from the vertices of the mesh to points, which can be default
+///       constructed and assigned}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{a model of `SegmentationGeomTraits` for these points}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns one value a face, in the order of `faces(mesh)` and in units of the mesh: -1 if no ray hit;
+///   nothing for a mesh without faces
+///
+/// Complexity: O(f log f) for f faces, with `Parameters::diameter_rays` rays each. The function is reentrant.
+template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
+std::vector<double> mesh_diameters(const TriangleMesh& mesh, const Parameters& parameters = {},
+                                   const NamedParameters& np = parameters::default_values())
 {
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  using Point_map = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type;
-  using Kernel =
-      typename CGAL::Kernel_traits<typename boost::property_traits<Point_map>::value_type>::Kernel;
-
-  std::vector<face_descriptor> all(faces(mesh).begin(), faces(mesh).end());
-  std::vector<double> diameters(all.size(), std::numeric_limits<double>::quiet_NaN());
-  if (all.empty()) return diameters;
-  const std::size_t count = (std::min)(all.size(), parameters.diameter_samples);
-  std::vector<face_descriptor> sample;
-  for (std::size_t s = 0; s < count; ++s)
-    sample.push_back(all[(2 * s + 1) * all.size() / (2 * count)]);
-
-  std::unordered_map<face_descriptor, double> values;
-  const CGAL::internal::SDF_calculation<TriangleMesh, Point_map, Kernel> calculation(
-      mesh, get(CGAL::vertex_point, mesh), false, false, Kernel());
-  calculation.calculate_sdf_values(
-      sample.begin(), sample.end(), parameters.diameter_cone_angle * (CGAL_PI / 180.),
-      parameters.diameter_rays, boost::make_assoc_property_map(values));
-  for (std::size_t f = 0; f < all.size(); ++f)
-  {
-    const auto it = values.find(all[f]);
-    if (it != values.end()) diameters[f] = it->second;
-  }
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  std::vector<double> diameters;
+  if (faces(mesh).begin() == faces(mesh).end()) return diameters;
+  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, mesh));
+  using Point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
+  const auto traits = choose_parameter(get_parameter(np, CGAL::internal_np::geom_traits),
+                                       typename CGAL::Kernel_traits<Point>::Kernel());
+  const auto values = get(CGAL::dynamic_face_property_t<double>(), mesh);
+  CGAL::sdf_values(mesh, values, parameters.diameter_cone_angle * (CGAL_PI / 180.),
+                   parameters.diameter_rays, false, points, traits);
+  for (const auto f : faces(mesh)) diameters.push_back(get(values, f));
   return diameters;
 }
 

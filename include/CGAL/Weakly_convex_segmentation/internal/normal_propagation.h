@@ -18,7 +18,7 @@
 #include <vector>
 
 // Unoriented normals made consistent along the minimum spanning forest of the nearest neighbors. CGAL's
-// `mst_orient_normals()` takes many times as long, and can't be interrupted.
+// `mst_orient_normals()` takes longer, is right less often, and can't be interrupted: see estimate_normals.h.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -176,8 +176,7 @@ inline Contraction contract_patches(Shape_analysis& shape, const Parameters& par
                                     const Run_control& control)
 {
   // a shape that was analyzed for other rules has no diameters yet
-  if (parameters.diameter == Diameter_rule::WHOLE_SHAPE && shape.diameters.empty())
-    shape.diameters = shape_diameters(*shape.sight, parameters, control.parallel);
+  sample_diameters(shape, parameters, control.parallel);
   const Patches& patches = shape.patches();
   Contraction result{Merge_tree(patches.size()), patches.of_point};
   const std::vector<int> apart =

@@ -94,7 +94,7 @@ inline void scale_points(Raw_points& raw, const bool parallel)
 /// reads a range of points. Without a normal map the normals are estimated.
 template <typename PointRange, typename NamedParameters>
 Raw_points read_points(const PointRange& range, const NamedParameters& np,
-                       const Run_control& control)
+                       const Run_control& control, const Normal_orientation orientation)
 {
   const auto point_map = point_map_of(range, np);
   const Coordinate_reader coordinates(traits_of(np));
@@ -113,7 +113,7 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np,
   else
   {
     check_finite(raw.positions, "position");
-    estimate_normals(raw, control);
+    estimate_normals(raw, control, orientation);
   }
   return raw;
 }
@@ -121,7 +121,7 @@ Raw_points read_points(const PointRange& range, const NamedParameters& np,
 /// reads a `CGAL::Point_set_3`, with its normals if it has them.
 template <typename PointSet, typename NamedParameters>
 Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
-                          const Run_control& control)
+                          const Run_control& control, const Normal_orientation orientation)
 {
   const Coordinate_reader coordinates(traits_of(np));
   Raw_points raw;
@@ -138,7 +138,7 @@ Raw_points read_point_set(const PointSet& points, const NamedParameters& np,
   else
   {
     check_finite(raw.positions, "position");
-    estimate_normals(raw, control);
+    estimate_normals(raw, control, orientation);
   }
   return raw;
 }
@@ -295,14 +295,14 @@ struct Is_point_set<CGAL::Point_set_3<Point, Vector>> : std::true_type
 
 /// reads any input but soups.
 template <typename ConcurrencyTag, typename Input, typename NamedParameters>
-Raw_points read_input(const Input& input, const NamedParameters& np)
+Raw_points read_input(const Input& input, const NamedParameters& np, const Parameters& parameters)
 {
   const Run_control control = read_control<ConcurrencyTag>(np);
   control.progress(0.);
   if constexpr (Is_point_set<Input>::value)
-    return read_point_set(input, np, control);
+    return read_point_set(input, np, control, parameters.normal_orientation);
   else if constexpr (Is_range<Input>::value)
-    return read_points(input, np, control);
+    return read_points(input, np, control, parameters.normal_orientation);
   else
     return read_mesh(input, np, control);
 }

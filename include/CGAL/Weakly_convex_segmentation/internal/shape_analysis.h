@@ -45,6 +45,8 @@ struct Shape_analysis
   std::vector<Patch_set> patch_sets; ///< the first is what the merge tree is about
   std::unique_ptr<Sight> sight;
   std::vector<Diameter_sample> diameters; ///< through the whole shape
+  std::size_t diameter_samples = 0;       ///< how many there are to be
+  bool has_diameters = false; ///< measured or given; else the samples tell only what they face
 
   const Oriented_points& points() const { return representatives.points; }
   const Patches& patches() const { return patch_sets.front().patches; }
@@ -54,6 +56,17 @@ struct Shape_analysis
     return representatives.of_point.empty() ? input_point : representatives.of_point[input_point];
   }
 };
+
+/// samples the shape for the merging rules, unless that has been done.
+inline void sample_diameters(Shape_analysis& shape, const Parameters& parameters,
+                             const bool parallel)
+{
+  const bool is_whole = parameters.diameter == Diameter_rule::WHOLE_SHAPE;
+  const bool is_given = parameters.diameter == Diameter_rule::GIVEN;
+  if (!(is_whole && !shape.has_diameters) && !(is_given && shape.diameters.empty())) return;
+  shape.diameters = shape_diameters(*shape.sight, parameters, parallel);
+  shape.has_diameters = is_whole;
+}
 
 /// runs the stages up to the signatures.
 inline std::unique_ptr<Shape_analysis>
@@ -118,27 +131,32 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
   control.stage(Stage::SIGNATURES,
                 [&]
                 {
-                  if (parameters.diameter == Diameter_rule::WHOLE_SHAPE)
-                    shape->diameters = shape_diameters(*shape->sight, parameters, control.parallel);
+                  shape->diameter_samples = parameters.diameter_samples;
+                  sample_diameters(*shape, parameters, control.parallel);
                   return shape->diameters.size();
                 });
   return shape;
 }
 
-/// replaces the diameters by given ones, one a representative at most.
-inline void use_diameters(Shape_analysis& shape, const std::vector<double>& of_elements)
+/// replaces the diameters of the samples by given ones. A representative has that of the first of its points
+/// with one. What the samples face stays what was measured here: the closure of regions rests on it.
+inline void use_diameters(Shape_analysis& shape, const std::vector<double>& of_elements,
+                          const bool parallel)
 {
-  shape.diameters.clear();
-  std::vector<char> used(shape.points().size(), 0);
+  Parameters parameters;
+  parameters.diameter = Diameter_rule::GIVEN;
+  parameters.diameter_samples = shape.diameter_samples;
+  sample_diameters(shape, parameters, parallel);
+  shape.has_diameters = true;
+  std::vector<float> given(shape.points().size(), 0.f);
   for (std::size_t i = 0; i < shape.input.size(); ++i)
   {
     const double d = of_elements[shape.input.elements[i]];
-    const std::size_t r = shape.representative(i);
-    if (!(d > 0.) || used[r] != 0) continue;
-    used[r] = 1;
-    shape.diameters.push_back(
-        {static_cast<Index>(r), static_cast<float>(d / shape.input.extent), {}, {}});
+    float& of_representative = given[shape.representative(i)];
+    if (d > 0. && of_representative == 0.f)
+      of_representative = static_cast<float>(d / shape.input.extent);
   }
+  for (Diameter_sample& sample : shape.diameters) sample.diameter = given[sample.point];
 }
 
 } // namespace internal

@@ -65,34 +65,44 @@ inline void cone_directions(const Vector3& axis, const float half_angle, const s
   }
 }
 
-/// measures the diameters through the whole shape at a bounded number of points.
+/// measures the diameter through the whole shape at a point; 0 if no ray leaves it.
 ///
 /// Rays start inwards in a cone about the reversed normal and end where they first leave the shape;
 /// their median, weighted by the cosine, is the diameter.
+inline float cone_diameter(const Sight& sight, const Index i, const Parameters& parameters)
+{
+  const Oriented_points& points = sight.points();
+  const Vector3 inwards = -1.f * points.normals[i];
+  std::vector<Vector3> directions;
+  std::vector<std::pair<float, float>> lengths;
+  cone_directions(inwards, radians(0.5 * parameters.diameter_cone_angle), parameters.diameter_rays,
+                  directions);
+  for (const Vector3& d : directions)
+  {
+    const Ray_hit exit = sight.tree().first_exit(points.positions[i], d, 1.f);
+    if (exit.found()) lengths.push_back({exit.distance, dot(d, inwards)});
+  }
+  return weighted_median(lengths);
+}
+
+/// samples a bounded number of points over the whole shape: what they face, and the diameters, but with
+/// `Diameter_rule::GIVEN`, when they come from elsewhere.
 inline std::vector<Diameter_sample>
 shape_diameters(const Sight& sight, const Parameters& parameters, const bool parallel)
 {
   const Oriented_points& points = sight.points();
   const std::size_t count = (std::min)(points.size(), parameters.diameter_samples);
-  const float half_angle = radians(0.5 * parameters.diameter_cone_angle);
+  const bool is_given = parameters.diameter == Diameter_rule::GIVEN;
   std::vector<Diameter_sample> samples(count);
   parallel_for(
       count, parallel,
       [&](const std::size_t s)
       {
         const Index i = static_cast<Index>((2 * s + 1) * points.size() / (2 * count));
-        const Vector3 inwards = -1.f * points.normals[i];
-        std::vector<Vector3> directions;
-        std::vector<std::pair<float, float>> lengths;
-        cone_directions(inwards, half_angle, parameters.diameter_rays, directions);
-        for (const Vector3& d : directions)
-        {
-          const Ray_hit exit = sight.tree().first_exit(points.positions[i], d, 1.f);
-          if (exit.found()) lengths.push_back({exit.distance, dot(d, inwards)});
-        }
-        samples[s] = {i, weighted_median(lengths),
-                      sight.tree().first_exit(points.positions[i], inwards, 1.f),
-                      sight.tree().first_entry(points.positions[i], points.normals[i], 1.f)};
+        const Vector3 &p = points.positions[i], &n = points.normals[i];
+        samples[s] = {i, is_given ? 0.f : cone_diameter(sight, i, parameters),
+                      sight.tree().first_exit(p, -1.f * n, 1.f),
+                      sight.tree().first_entry(p, n, 1.f)};
       },
       64);
   return samples;
