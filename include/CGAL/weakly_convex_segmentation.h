@@ -4,7 +4,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_H
 
+#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/Segmenter.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
@@ -62,6 +64,29 @@ namespace CGAL {
 ///       the result has all of them in any case}
 ///     \cgalParamType{`Weakly_convex_segmentation::Level`}
 ///     \cgalParamDefault{`Weakly_convex_segmentation::Level::SEGMENTS`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{line_of_sight}
+///     \cgalParamDescription{tells which points see each other inside of the shape}
+///     \cgalParamType{a model of `WeaklyConvexSegmentationLineOfSight`}
+///     \cgalParamDefault{the points occlude as disks, as `Weakly_convex_segmentation::Disk_line_of_sight`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{patch_clustering}
+///     \cgalParamDescription{makes the patches}
+///     \cgalParamType{a model of `WeaklyConvexSegmentationPatchClustering`}
+///     \cgalParamDefault{`Weakly_convex_segmentation::Spectral_patch_clustering`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{merge_cost}
+///     \cgalParamDescription{decides which patches become components and segments, in place of
+///       `Parameters::merging`}
+///     \cgalParamType{a model of `WeaklyConvexSegmentationMergeCost`}
+///     \cgalParamDefault{what `Parameters::merging` says}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{diameter_map}
+///     \cgalParamDescription{diameters of the shape at the elements, in units of the input, such as those of
+///       `CGAL::sdf_values()`; at most 0 or not a number where there is none. It is for ranges, point sets
+///       and meshes, not for soups.}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the key type of `LabelMap`, value type `double`}
+///     \cgalParamDefault{measured along lines of sight}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{point_map}
 ///     \cgalParamDescription{a property map from the elements of a range to points}

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(the_longest_waves_lie_in_the_space)
 {
   constexpr Index columns = 24, rows = 20;
   const Graph_matrix adjacency = normalized_adjacency(torus(columns, rows));
-  const Eigen::MatrixXf vectors = lanczos_eigenvectors(adjacency, 20, 50);
+  const Eigen::MatrixXf vectors = lanczos_eigenvectors(adjacency, 20, 50).vectors;
   BOOST_REQUIRE_EQUAL(vectors.cols(), 20);
   BOOST_CHECK_SMALL(
       (vectors.transpose() * vectors - Eigen::MatrixXf::Identity(20, 20)).cwiseAbs().maxCoeff(),
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_converge_is_left_out)
 {
   // in a space of hardly more dimensions than are wanted, the solver runs out of restarts
   const Graph_matrix adjacency = normalized_adjacency(torus(60, 50));
-  const Eigen::MatrixXf vectors = lanczos_eigenvectors(adjacency, 100, 101);
+  const Eigen::MatrixXf vectors = lanczos_eigenvectors(adjacency, 100, 101).vectors;
   BOOST_REQUIRE_LT(vectors.cols(), 100);
   BOOST_CHECK(vectors.allFinite());
   // without any coordinates nodes stay where they are

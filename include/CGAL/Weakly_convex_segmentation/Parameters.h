@@ -146,7 +146,7 @@ struct Parameters
   std::size_t number_of_supervoxels = 1500;
   /// dimensions of the space of the spectral clustering, in shares of the wanted number of patches, but
   /// up to 10 patches have one each; the paper has 1; `[0.01, 1]`
-  double spectral_dimensions = 0.27;
+  double spectral_dimensions = 0.4;
   /// neighbors are joined in the convexity graph unless their normals are concave by more degrees;
   /// `[0, 180]`
   double patch_concavity_tolerance = 5.;

@@ -30,7 +30,7 @@ class Spectral_patch_clustering
 public:
   /// `dimensions`: those of the space, relative to the number of clusters, but up to 10 clusters have one
   /// each; in `[0.01, 1]`, see `Parameters::spectral_dimensions`
-  explicit Spectral_patch_clustering(const double dimensions = 0.27) : m_dimensions(dimensions) {}
+  explicit Spectral_patch_clustering(const double dimensions = 0.4) : m_dimensions(dimensions) {}
 
   /// returns a function that gives each node its cluster for a seed.
   ///

@@ -27,12 +27,27 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-inline std::unique_ptr<Shape_analysis> analyze(const Raw_points& raw, const Parameters& parameters,
-                                               const Run_control& control)
+/// Rules for a shape whose diameters are given: none are measured.
+inline Parameters with_given_diameters(Parameters parameters)
 {
+  if (parameters.diameter == Diameter_rule::WHOLE_SHAPE) parameters.diameter = Diameter_rule::GIVEN;
+  return parameters;
+}
+
+/// reads an input and measures what does not depend on thresholds.
+template <typename ConcurrencyTag, typename Input, typename NamedParameters>
+std::unique_ptr<Shape_analysis> analyze_input(const Input& input, const NamedParameters& np,
+                                              const Run_control& control)
+{
+  Parameters parameters = read_parameters(np);
   parameters.check();
+  const std::vector<double> diameters = read_diameters(input, np);
+  if (!diameters.empty()) parameters = with_given_diameters(parameters);
+  const Raw_points raw = read_input<ConcurrencyTag>(input, np, parameters);
   control.progress(0.);
-  return analyze_shape(raw, parameters, control);
+  auto shape = analyze_shape(raw, parameters, control, read_oracles(np));
+  if (!diameters.empty()) use_diameters(*shape, diameters, control.parallel);
+  return shape;
 }
 
 inline Result segment(Shape_analysis& shape, const Parameters& parameters,
@@ -53,9 +68,8 @@ Result segment_input(const Input& input, LabelMap label_map, const NamedParamete
   if constexpr (mistake == Mistake::NONE)
   {
     const Run_control control = read_control<ConcurrencyTag>(np);
-    const Parameters parameters = read_parameters(np);
-    const auto shape = analyze(read_input<ConcurrencyTag>(input, np, parameters), parameters, control);
-    Result result = segment(*shape, parameters, control);
+    const auto shape = analyze_input<ConcurrencyTag>(input, np, control);
+    Result result = segment(*shape, read_parameters(np), control);
     if constexpr (is_given<NamedParameters, names::level_t>)
       write_labels(input, result.labels_at(CGAL::parameters::get_parameter(np, names::level_t())),
                    label_map);
@@ -136,7 +150,8 @@ public:
   }
 
   /// is the same with the parameters of the constructor, but for what is named:
-  /// `segmentation_parameters`, `maximum_number_of_segments` and `minimum_segment_share`.
+  /// `segmentation_parameters`, `maximum_number_of_segments`, `minimum_segment_share` and `merge_cost`,
+  /// which also holds for the segmentations to come.
   template <typename NamedParameters = parameters::Default_named_parameters>
   Result segment(const NamedParameters& np = parameters::default_values())
   {
@@ -242,7 +257,11 @@ private:
     constexpr internal::Mistake mistake = internal::mistake_in_input<Input, NamedParameters>();
     internal::refuse<mistake, Input, NamedParameters>();
     if constexpr (mistake == internal::Mistake::NONE)
-      start(internal::read_input<ConcurrencyTag>(input, np, internal::read_parameters(np)), np);
+    {
+      m_control = internal::read_control<ConcurrencyTag>(np);
+      m_parameters = internal::read_parameters(np);
+      m_shape = internal::analyze_input<ConcurrencyTag>(input, np, m_control);
+    }
   }
 
   template <typename PointRange, typename PolygonRange, typename NamedParameters>
@@ -252,18 +271,15 @@ private:
         internal::mistake_in_soup<PointRange, PolygonRange, NamedParameters>();
     internal::refuse<mistake, PointRange, PolygonRange, NamedParameters>();
     if constexpr (mistake == internal::Mistake::NONE)
-      start(internal::read_soup(points, polygons, internal::point_map_of(points, np),
-                                internal::traits_of(np),
-                                internal::read_control<ConcurrencyTag>(np)),
-            np);
-  }
-
-  template <typename NamedParameters>
-  void start(const internal::Raw_points& raw, const NamedParameters& np)
-  {
-    m_control = internal::read_control<ConcurrencyTag>(np);
-    m_parameters = internal::read_parameters(np);
-    m_shape = internal::analyze(raw, m_parameters, m_control);
+    {
+      m_control = internal::read_control<ConcurrencyTag>(np);
+      m_parameters = internal::read_parameters(np);
+      m_parameters.check();
+      m_shape = internal::analyze_shape(internal::read_soup(points, polygons,
+                                                            internal::point_map_of(points, np),
+                                                            internal::traits_of(np), m_control),
+                                        m_parameters, m_control, internal::read_oracles(np));
+    }
   }
 
   template <typename NamedParameters>
@@ -272,7 +288,11 @@ private:
     constexpr internal::Mistake mistake = internal::mistake_in_thresholds<NamedParameters>();
     internal::refuse<mistake, NamedParameters>();
     if constexpr (mistake == internal::Mistake::NONE)
+    {
+      if constexpr (internal::is_given<NamedParameters, names::merge_cost_t>)
+        m_shape->oracles.merge_cost = internal::read_oracles(np).merge_cost;
       return segment(internal::read_parameters(np, m_parameters));
+    }
     else
       return {};
   }

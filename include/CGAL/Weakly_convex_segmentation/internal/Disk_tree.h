@@ -9,6 +9,7 @@
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Object.h>
+#include <CGAL/Search_traits_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -28,10 +29,12 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// What `CGAL::AABB_tree` asks of its traits for the traversals that are used here. The kernel is there
-/// for the tree of points of its distance queries, which is never built.
-struct Disk_tree_traits : Simple_cartesian<float>
+/// What `CGAL::AABB_tree` asks of its traits for the traversals that are used here. The bases are there for
+/// the tree of points of its distance queries, which is never built: the kernel for %CGAL 5, the search
+/// traits for %CGAL 6.
+struct Disk_tree_traits : Simple_cartesian<float>, Search_traits_3<Simple_cartesian<float>>
 {
+  using FT = float;
   using Point = Point_3;
   using Bounding_box = Disk_box;
   using Point_and_primitive_id = std::pair<Point, Disk_group::Id>;

@@ -263,7 +263,7 @@ constexpr Mistake mistake_in_soup()
     return Mistake::NO_POINTS;
   else if constexpr (!Is_named_parameters<NP>::value)
     return Mistake::NO_NAMED_PARAMETERS;
-  else if constexpr (is_given<NP, CGAL::internal_np::normal_t>)
+  else if constexpr (has_any<NP, CGAL::internal_np::normal_t, names::diameter_map_t>)
     return Mistake::UNKNOWN_NAME;
   else
     return mistake_in_input<PointRange, NP>();
@@ -277,7 +277,7 @@ constexpr Mistake mistake_in_thresholds()
     return Mistake::NO_NAMED_PARAMETERS;
   else
     return Has_only<NP, names::segmentation_parameters_t, names::maximum_number_of_segments_t,
-                    names::minimum_segment_share_t>::value
+                    names::minimum_segment_share_t, names::merge_cost_t>::value
                ? Mistake::NONE
                : Mistake::UNKNOWN_NAME;
 }

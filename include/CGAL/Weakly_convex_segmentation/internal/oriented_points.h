@@ -40,6 +40,24 @@ struct Raw_points
   int exponent = 0; ///< lengths of the input are those here, times 2 to the power of this
 };
 
+/// How the frame of the method lies in the input.
+struct Placement
+{
+  Frame frame;
+  Double3 center; ///< in the turned input
+  double scale = 1.;
+  int exponent = 0;
+
+  /// returns where a point of the method's frame lies in the input.
+  Coordinates position(const Vector3& p) const
+  {
+    const Double3 turned{center.x + scale * p.x, center.y + scale * p.y, center.z + scale * p.z};
+    return scaled(frame.inverse(turned), exponent);
+  }
+  /// returns a unit vector of the method's frame as one of the input.
+  Coordinates direction(const Vector3& v) const { return frame.inverse({v.x, v.y, v.z}); }
+};
+
 /// Points in the frame of the method: centered at the centroid, extent 1, in spatial order; as they lie in
 /// the input, or turned with the shape's own axes.
 struct Oriented_points
@@ -49,7 +67,8 @@ struct Oriented_points
   std::vector<Index> elements;             ///< input element of each point
   std::vector<std::array<Index, 2>> links; ///< pairs of points known to be neighbors
   double extent = 1.;                      ///< in units of the input
-  std::size_t number_of_elements = 0;      ///< of the input; several points may share one
+  Placement placement;
+  std::size_t number_of_elements = 0; ///< of the input; several points may share one
 
   std::size_t size() const { return positions.size(); }
 };
@@ -236,6 +255,11 @@ inline Oriented_points orient_points(const Raw_points& raw, const bool parallel 
     for (std::size_t i = 0; i < n; ++i) rank[order[i]] = static_cast<Index>(i);
     points.links = renamed_links(raw.links, rank);
   }
+  points.placement = {
+      frame,
+      {cube.corner[0] + centroid[0], cube.corner[1] + centroid[1], cube.corner[2] + centroid[2]},
+      points.extent,
+      raw.exponent};
   points.extent = std::ldexp(points.extent, raw.exponent);
   if (!std::isfinite(points.extent)) refuse_extent();
   points.elements = order;
@@ -256,6 +280,7 @@ inline Oriented_points sub_points(const Oriented_points& points, const std::vect
   constexpr Index none = static_cast<Index>(-1);
   Oriented_points result;
   result.extent = points.extent;
+  result.placement = points.placement;
   std::vector<Index> rank(points.links.empty() ? 0 : points.size(), none);
   result.elements.reserve(chosen.size());
   result.positions.reserve(chosen.size());

@@ -39,6 +39,12 @@ struct Frame
     const Double3 v = {p[0], p[1], p[2]};
     return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)};
   }
+  /// returns what has these coordinates along the axes.
+  Coordinates inverse(const Double3& v) const
+  {
+    const Double3 p = v.x * axes[0] + v.y * axes[1] + v.z * axes[2];
+    return {p.x, p.y, p.z};
+  }
 };
 
 [[noreturn]] inline void refuse_extent()

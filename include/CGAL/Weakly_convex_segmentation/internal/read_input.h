@@ -7,6 +7,7 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/coordinates.h>
 #include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
+#include <CGAL/Weakly_convex_segmentation/internal/oracles.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/polygons.h>
 #include <CGAL/Weakly_convex_segmentation/internal/read_parameters.h>
@@ -305,6 +306,41 @@ Raw_points read_input(const Input& input, const NamedParameters& np, const Param
     return read_points(input, np, control, parameters.normal_orientation);
   else
     return read_mesh(input, np, control);
+}
+
+/// reads what the caller has in the place of our parts.
+template <typename NamedParameters>
+Oracles read_oracles([[maybe_unused]] const NamedParameters& np)
+{
+  namespace params = CGAL::parameters;
+  Oracles oracles;
+  if constexpr (is_given<NamedParameters, names::line_of_sight_t>)
+    oracles.line_of_sight =
+        Line_of_sight_functions(params::get_parameter(np, names::line_of_sight_t()));
+  if constexpr (is_given<NamedParameters, names::patch_clustering_t>)
+    oracles.patch_clustering = params::get_parameter(np, names::patch_clustering_t());
+  if constexpr (is_given<NamedParameters, names::merge_cost_t>)
+    oracles.merge_cost = Merge_cost(params::get_parameter(np, names::merge_cost_t()));
+  return oracles;
+}
+
+/// returns the diameters that were given, in the order of the input; none if there are none.
+template <typename Input, typename NamedParameters>
+std::vector<double> read_diameters([[maybe_unused]] const Input& input,
+                                   [[maybe_unused]] const NamedParameters& np)
+{
+  std::vector<double> diameters;
+  if constexpr (is_given<NamedParameters, names::diameter_map_t>)
+  {
+    const auto map = CGAL::parameters::get_parameter(np, names::diameter_map_t());
+    const auto add = [&](const auto& element)
+    { diameters.push_back(CGAL::to_double(get(map, element))); };
+    if constexpr (Is_range<Input>::value)
+      for (const auto& element : input) add(element);
+    else
+      for (const auto f : faces(input)) add(f);
+  }
+  return diameters;
 }
 
 /// writes the labels back through the caller's map.

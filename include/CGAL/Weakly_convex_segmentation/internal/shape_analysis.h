@@ -10,6 +10,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/noise.h>
 #include <CGAL/Weakly_convex_segmentation/internal/normal_direction.h>
+#include <CGAL/Weakly_convex_segmentation/internal/oracles.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
 #include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
@@ -18,6 +19,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 // The first half of the pipeline: all that is measured on a shape before any merging, and that does not
@@ -37,6 +39,7 @@ struct Patch_set
 /// What is known of a shape before any merging: all that does not depend on thresholds.
 struct Shape_analysis
 {
+  Oracles oracles;
   Oriented_points input;
   bool has_flipped_normals = false; ///< those of the input pointed inwards
   Representatives representatives;
@@ -69,10 +72,13 @@ inline void sample_diameters(Shape_analysis& shape, const Parameters& parameters
 }
 
 /// runs the stages up to the signatures.
-inline std::unique_ptr<Shape_analysis>
-analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_control& control)
+inline std::unique_ptr<Shape_analysis> analyze_shape(const Raw_points& raw,
+                                                     const Parameters& parameters,
+                                                     const Run_control& control,
+                                                     Oracles oracles = {})
 {
   auto shape = std::make_unique<Shape_analysis>();
+  shape->oracles = std::move(oracles);
   control.stage(Stage::SAMPLING,
                 [&]
                 {
@@ -112,21 +118,22 @@ analyze_shape(const Raw_points& raw, const Parameters& parameters, const Run_con
   control.stage(Stage::PATCHES,
                 [&]
                 {
-                  for (Patches& patches : extract_patch_sets(
-                           shape->points(), shape->graph, parameters, control.parallel,
-                           Spectral_patch_clustering(parameters.spectral_dimensions)))
+                  for (Patches& patches :
+                       extract_patch_sets(shape->points(), shape->graph, parameters,
+                                          control.parallel, shape->oracles.clustering(parameters)))
                     shape->patch_sets.push_back({std::move(patches), nullptr});
                   return shape->patches().size();
                 });
   control.stage(Stage::VISIBILITY,
                 [&]
                 {
-                  shape->sight = std::make_unique<Sight>(shape->points(), shape->graph, parameters);
+                  shape->sight = std::make_unique<Sight>(shape->points(), shape->graph, parameters,
+                                                         shape->oracles.line_of_sight);
                   control.check();
                   for (Patch_set& set : shape->patch_sets)
                     set.visibility = std::make_unique<Patch_visibility>(
                         *shape->sight, set.patches, parameters, control.parallel);
-                  return shape->sight->tree().size();
+                  return shape->points().size();
                 });
   control.stage(Stage::SIGNATURES,
                 [&]

@@ -6,6 +6,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/Disk_tree.h>
+#include <CGAL/Weakly_convex_segmentation/internal/Line_of_sight_functions.h>
 #include <CGAL/Weakly_convex_segmentation/internal/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches.h>
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -49,24 +51,30 @@ inline std::vector<Index> spread_sample(const std::vector<Index>& members, const
   return sample;
 }
 
-/// Lines of sight between the points of one shape.
+/// Lines of sight between the points of one shape: what they see, and what faces them. The shape's disks
+/// are in the way, or what the caller has in their place.
 class Sight
 {
 public:
-  Sight(const Oriented_points& points, const Neighbor_graph& graph, const Parameters& parameters)
-    : m_points(points), m_tree(make_disks(points, graph, parameters.disk_radius_factor),
-                               static_cast<float>(parameters.clearance_factor),
-                               std::sin(radians(parameters.grazing_tolerance))),
+  Sight(const Oriented_points& points, const Neighbor_graph& graph, const Parameters& parameters,
+        const Line_of_sight_functions& own = {})
+    : m_points(points), m_own(own),
+      m_tree(own.sees ? std::vector<Disk>()
+                      : make_disks(points, graph, parameters.disk_radius_factor),
+             static_cast<float>(parameters.clearance_factor),
+             std::sin(radians(parameters.grazing_tolerance))),
       m_outside_slope(parameters.outside_tolerance < 90.
                           ? std::sin(radians(parameters.outside_tolerance))
                           : 2.f)
-  {}
+  {
+    if (own.sees) m_nearest = std::make_unique<Nearest_points>(points.positions);
+  }
 
   const Oriented_points& points() const { return m_points; }
   const Disk_tree& tree() const { return m_tree; }
 
   /// returns whether the segment from `i` to `j` leaves the surface inwards at both ends, up to the
-  /// tolerance, and no disk occludes it.
+  /// tolerance, and nothing is in its way.
   bool sees(const Index i, const Index j) const
   {
     Disk_tree::Hint hint = Disk_tree::no_hint;
@@ -75,32 +83,66 @@ public:
   /// the same for one of many lines between the same parts, see `Disk_tree::unoccluded()`
   bool sees(const Index i, const Index j, Disk_tree::Hint& hint) const
   {
-    if (i == j) return true;
-    const Vector3 &p = m_points.positions[i], &q = m_points.positions[j];
-    return within(p, q, i, j, m_outside_slope) && m_tree.unoccluded(p, q, hint);
+    return i == j || (is_within(i, j, m_outside_slope) && is_free(i, j, hint));
   }
 
   /// the same with a tolerance of its own, in degrees
   bool sees_inside(const Index i, const Index j, const double tolerance) const
   {
-    if (i == j) return true;
-    const Vector3 &p = m_points.positions[i], &q = m_points.positions[j];
-    return within(p, q, i, j, std::sin(radians(tolerance))) && m_tree.unoccluded(p, q);
+    Disk_tree::Hint hint = Disk_tree::no_hint;
+    return i == j || (is_within(i, j, std::sin(radians(tolerance))) && is_free(i, j, hint));
+  }
+
+  /// returns where a ray from a point along a unit vector first leaves the shape.
+  Ray_hit exit(const Index i, const Vector3& direction) const
+  {
+    if (!m_own.sees) return m_tree.first_exit(m_points.positions[i], direction, 1.f);
+    return hit_of_own(i, direction, m_own.distance_to_exit);
+  }
+  /// returns where it first enters the shape, from outside.
+  Ray_hit entry(const Index i, const Vector3& direction) const
+  {
+    if (!m_own.sees) return m_tree.first_entry(m_points.positions[i], direction, 1.f);
+    return hit_of_own(i, direction, m_own.distance_to_entry);
   }
 
 private:
-  bool within(const Vector3& p, const Vector3& q, const Index i, const Index j,
-              const float slope) const
+  bool is_within(const Index i, const Index j, const float slope) const
   {
     if (slope > 1.f) return true;
-    const Vector3 direction = q - p;
+    const Vector3 direction = m_points.positions[j] - m_points.positions[i];
     const float highest = slope * length(direction);
     return dot(m_points.normals[i], direction) <= highest &&
            -dot(m_points.normals[j], direction) <= highest;
   }
 
+  bool is_free(const Index i, const Index j, Disk_tree::Hint& hint) const
+  {
+    const Vector3 &p = m_points.positions[i], &q = m_points.positions[j];
+    if (!m_own.sees) return m_tree.unoccluded(p, q, hint);
+    return m_own.sees(m_points.placement.position(p), m_points.placement.position(q));
+  }
+
+  /// returns the point that is nearest to where the caller's surface is met, within the extent.
+  template <typename Distance>
+  Ray_hit hit_of_own(const Index i, const Vector3& direction, const Distance& distance_of) const
+  {
+    const Vector3& p = m_points.positions[i];
+    const double distance =
+        distance_of(m_points.placement.position(p), m_points.placement.direction(direction)) /
+        m_points.extent;
+    if (!(distance > 0. && distance <= 1.)) return {};
+    Ray_hit hit;
+    hit.distance = static_cast<float>(distance);
+    m_nearest->nearest(p + hit.distance * direction, 1,
+                       [&hit](const Index nearest, float) { hit.disk = nearest; });
+    return hit;
+  }
+
   const Oriented_points& m_points;
-  Disk_tree m_tree;
+  Line_of_sight_functions m_own;
+  Disk_tree m_tree; ///< without disks where the caller has a line of sight
+  std::unique_ptr<Nearest_points> m_nearest;
   float m_outside_slope;
 };
 

@@ -79,7 +79,7 @@ inline float cone_diameter(const Sight& sight, const Index i, const Parameters& 
                   directions);
   for (const Vector3& d : directions)
   {
-    const Ray_hit exit = sight.tree().first_exit(points.positions[i], d, 1.f);
+    const Ray_hit exit = sight.exit(i, d);
     if (exit.found()) lengths.push_back({exit.distance, dot(d, inwards)});
   }
   return weighted_median(lengths);
@@ -99,10 +99,9 @@ shape_diameters(const Sight& sight, const Parameters& parameters, const bool par
       [&](const std::size_t s)
       {
         const Index i = static_cast<Index>((2 * s + 1) * points.size() / (2 * count));
-        const Vector3 &p = points.positions[i], &n = points.normals[i];
+        const Vector3& n = points.normals[i];
         samples[s] = {i, is_given ? 0.f : cone_diameter(sight, i, parameters),
-                      sight.tree().first_exit(p, -1.f * n, 1.f),
-                      sight.tree().first_entry(p, n, 1.f)};
+                      sight.exit(i, -1.f * n), sight.entry(i, n)};
       },
       64);
   return samples;
