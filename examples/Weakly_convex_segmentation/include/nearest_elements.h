@@ -6,9 +6,17 @@
 
 #include "shape.h"
 
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
 #include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
+#endif
+
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
@@ -53,7 +61,13 @@ class Nearest_face
 {
   using Plain = CGAL::Simple_cartesian<double>;
   using Triangles = std::vector<Plain::Triangle_3>;
+#if CGAL_VERSION_NR >= 1060000000 // which warns of the names of before
+  using Primitive = CGAL::AABB_triangle_primitive_3<Plain, Triangles::const_iterator>;
+  using Traits = CGAL::AABB_traits_3<Plain, Primitive>;
+#else
   using Primitive = CGAL::AABB_triangle_primitive<Plain, Triangles::const_iterator>;
+  using Traits = CGAL::AABB_traits<Plain, Primitive>;
+#endif
 
 public:
   explicit Nearest_face(const Shape& shape)
@@ -89,7 +103,7 @@ public:
 private:
   Triangles m_triangles;
   std::vector<std::size_t> m_faces; // of each triangle
-  CGAL::AABB_tree<CGAL::AABB_traits<Plain, Primitive>> m_tree;
+  CGAL::AABB_tree<Traits> m_tree;
 };
 
 // Nearest by distance to the points, of those at hand the first whose normal does not point away: the

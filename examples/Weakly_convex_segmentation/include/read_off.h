@@ -15,7 +15,8 @@
 #include <vector>
 
 // OFF with colors, normals and comments, as a mesh or a cloud. Not with CGAL's reader: that of 5.5.1
-// crashes on broken colors and negative numbers of corners.
+// and 6.0.1 crashes on colors below 0, takes a negative number of corners for a huge one, and asks for memory
+// for as many points as the header tells of (test_cgal_faults).
 
 namespace Shape_io {
 namespace internal {

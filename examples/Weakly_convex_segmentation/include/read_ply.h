@@ -18,9 +18,9 @@
 #include <utility>
 #include <vector>
 
-// PLY, ASCII and both binaries. Not with CGAL's reader: that of 5.5.1 crashes on integer
-// coordinates, takes a missing coordinate for 0, knows only 32-bit vertex indices and drops all
-// other properties of a mesh.
+// PLY, ASCII and both binaries. Not with CGAL's reader of soups: that of 5.5.1 and 6.0.1 crashes on integer
+// coordinates, takes a missing coordinate for 0, refuses corners of 16 bits, asks for as much memory as a
+// broken list tells of, and has no place for normals and further properties (test_cgal_faults).
 
 namespace Shape_io {
 namespace internal {

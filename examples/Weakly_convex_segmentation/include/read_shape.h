@@ -21,7 +21,6 @@
 #include <iostream>
 #include <new>
 #include <stdexcept>
-#include <streambuf>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -32,25 +31,6 @@
 
 namespace Shape_io {
 namespace internal {
-
-// CGAL's readers print on std::cerr what is wrong, but a failure here is one line, our own.
-class Silent_cerr
-{
-public:
-  Silent_cerr() : m_saved(std::cerr.rdbuf(&m_sink)) {}
-  ~Silent_cerr() { std::cerr.rdbuf(m_saved); }
-  Silent_cerr(const Silent_cerr&) = delete;
-  Silent_cerr& operator=(const Silent_cerr&) = delete;
-
-private:
-  struct Sink : std::streambuf
-  {
-    int overflow(const int c) override { return traits_type::not_eof(c); }
-  };
-
-  Sink m_sink;
-  std::streambuf* m_saved;
-};
 
 using Reader = void (*)(const std::string&, Shape&);
 
@@ -183,10 +163,7 @@ inline Shape read_shape(const std::string& path, const Gaps gaps = Gaps::REFUSED
         is_standard_input ? internal::stream_bytes(std::cin) : internal::file_bytes(path);
     internal::drop_byte_order_mark(bytes, reader == internal::read_stl);
     if (is_standard_input) reader = internal::reader_for_bytes(bytes);
-    {
-      const internal::Silent_cerr silence;
-      reader(bytes, shape);
-    }
+    reader(bytes, shape);
     internal::drop_missing_normals(shape);
     shape.has_gaps_at_origin = gaps == Gaps::ALLOWED && !shape.is_mesh() && shape.is_organized &&
                                has_repeated_origin(shape.points);

@@ -18,8 +18,9 @@
 #include <string>
 #include <string_view>
 
-// STL, ASCII and binary. Equal corners become one point. Not with CGAL's reader: that of 5.5.1 takes what
-// is left of a cut file for a cloud, and knows no capitals.
+// STL, ASCII and binary. Equal corners become one point. Not with CGAL's reader: that of 5.5.1 and
+// 6.0.1 takes what is left of a text cut within its first triangle for a cloud, and knows no capitals
+// (test_cgal_faults).
 
 namespace Shape_io {
 namespace internal {

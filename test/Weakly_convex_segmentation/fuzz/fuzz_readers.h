@@ -57,7 +57,6 @@ inline bool read(const Shape_io::internal::Reader reader, const std::string& byt
   namespace IO = Shape_io::internal;
   try
   {
-    const IO::Silent_cerr silence;
     reader(bytes, shape);
     IO::drop_missing_normals(shape);
     IO::check_shape(shape, Gaps::ALLOWED);

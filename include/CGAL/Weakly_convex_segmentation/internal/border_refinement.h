@@ -164,7 +164,7 @@ inline void cut_seam(const Neighbor_graph& graph, const Seams& seams, const Inde
   const Border_cost border(parameters.smoothness_angle);
   const auto [a, b] = seams.labels[seam];
   const std::vector<Index>& points = seams.members[seam];
-  // a fresh graph each time: MaxFlow::Graph::clear() of CGAL 5.5 does not reset the flow
+  // a fresh graph each time: MaxFlow::Graph::clear() of CGAL 5.5.1 and 6.0.1 keeps the flow (test_cgal_faults)
   ::MaxFlow::Graph flow;
   std::vector<::MaxFlow::Graph::node_id> ids;
   for (std::size_t n = 0; n < points.size(); ++n) ids.push_back(flow.add_node());
