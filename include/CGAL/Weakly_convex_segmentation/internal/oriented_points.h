@@ -54,6 +54,20 @@ struct Placement
     const Double3 turned{center.x + scale * p.x, center.y + scale * p.y, center.z + scale * p.z};
     return scaled(frame.inverse(turned), exponent);
   }
+  /// returns where a point of the input lies in the method's frame.
+  Vector3 point(const Coordinates& p) const
+  {
+    const Coordinates q = frame(scaled(p, -exponent));
+    return {static_cast<float>((q[0] - center.x) / scale),
+            static_cast<float>((q[1] - center.y) / scale),
+            static_cast<float>((q[2] - center.z) / scale)};
+  }
+  /// returns a unit vector of the input as one of the method's frame.
+  Vector3 vector(const Coordinates& v) const
+  {
+    const Coordinates w = frame(v);
+    return {static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2])};
+  }
   /// returns a unit vector of the method's frame as one of the input.
   Coordinates direction(const Vector3& v) const { return frame.inverse({v.x, v.y, v.z}); }
 };

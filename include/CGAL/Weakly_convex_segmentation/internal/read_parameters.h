@@ -4,6 +4,7 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_READ_PARAMETERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_READ_PARAMETERS_H
 
+#include <CGAL/Weakly_convex_segmentation/Default_traits.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
 #include <CGAL/Weakly_convex_segmentation/named_parameters.h>
@@ -21,38 +22,6 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// Default model of the concept `WeaklyConvexSegmentationTraits`: points and vectors of any CGAL kernel.
-struct Default_traits
-{
-  struct Compute_x_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const -> decltype(v.x())
-    {
-      return v.x();
-    }
-  };
-  struct Compute_y_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const -> decltype(v.y())
-    {
-      return v.y();
-    }
-  };
-  struct Compute_z_3
-  {
-    template <typename Vector>
-    auto operator()(const Vector& v) const -> decltype(v.z())
-    {
-      return v.z();
-    }
-  };
-  Compute_x_3 compute_x_3_object() const { return {}; }
-  Compute_y_3 compute_y_3_object() const { return {}; }
-  Compute_z_3 compute_z_3_object() const { return {}; }
-};
 
 template <typename NamedParameters>
 auto traits_of(const NamedParameters& np)

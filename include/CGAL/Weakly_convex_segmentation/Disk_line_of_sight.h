@@ -1,0 +1,102 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_DISK_LINE_OF_SIGHT_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_DISK_LINE_OF_SIGHT_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/check_call.h>
+#include <CGAL/Weakly_convex_segmentation/internal/read_input.h>
+
+#include <CGAL/tags.h>
+
+#include <limits>
+#include <memory>
+
+// Lines of sight between points as disks (section 3), for points other than those that are segmented.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// Lines of sight inside of a shape of points: each is a disk across its normal, as large as the mean
+/// distance to its neighbors, and disks are in the way (section 3 of the paper).
+///
+/// This is what a segmentation makes of its own points, or of their representatives. Made of other points,
+/// such as all those of a dense scan, or a clean scan of the same object, it lets these be in the way. It
+/// refers to nothing; copies share the disks. Queries may run in several threads at once.
+///
+/// \tparam Kernel a %CGAL kernel, or another class with `Point_3` and `Vector_3` that can be made of three
+///   `double` and have `x()`, `y()` and `z()`
+///
+/// \cgalModels `WeaklyConvexSegmentationLineOfSight`
+template <typename Kernel>
+class Disk_line_of_sight
+{
+public:
+  using Point_3 = typename Kernel::Point_3;
+  using Vector_3 = typename Kernel::Vector_3;
+
+  /// reads a range of points, a `CGAL::Point_set_3` or a mesh, each face as a point.
+  /// \param input all of it is read before the constructor returns
+  /// \param np `point_map`, `normal_map`, `vertex_point_map`, `face_index_map` and `geom_traits` as for
+  ///   `weakly_convex_segmentation()`, and `segmentation_parameters`, of which `number_of_neighbors`,
+  ///   `disk_radius_factor`, `clearance_factor` and `grazing_tolerance` count
+  /// \throws std::invalid_argument if there are no points or coordinates are not finite
+  ///
+  /// Complexity: O(n log n) for n points.
+  template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
+  explicit Disk_line_of_sight(const Input& input,
+                              const NamedParameters& np = parameters::default_values())
+  {
+    const auto& plain = internal::as_cgal(np);
+    const Parameters parameters = internal::read_parameters(plain);
+    parameters.check();
+    const internal::Oriented_points points =
+        internal::orient_points(internal::read_input<Sequential_tag>(input, plain, parameters));
+    const internal::Neighbor_graph graph =
+        internal::build_neighbor_graph(points, parameters.number_of_neighbors);
+    m_placement = points.placement;
+    m_extent = points.extent;
+    m_tree = std::make_shared<internal::Disk_tree>(
+        internal::make_disks(points, graph, parameters.disk_radius_factor),
+        static_cast<float>(parameters.clearance_factor),
+        std::sin(internal::radians(parameters.grazing_tolerance)));
+  }
+
+  /// returns whether no disk is between two points; near the ends of the line none is. Complexity: O(log n)
+  /// on average.
+  bool sees(const Point_3& p, const Point_3& q) const
+  {
+    return m_tree->unoccluded(inside(p), inside(q));
+  }
+  /// returns how far a ray along a unit vector goes until it meets a disk from behind; infinity if it does
+  /// not within the extent of the shape.
+  double distance_to_exit(const Point_3& p, const Vector_3& direction) const
+  {
+    return m_extent * m_tree->first_exit(inside(p), turned(direction), 1.f).distance;
+  }
+  /// returns how far it goes until it meets one from the front; infinity likewise.
+  double distance_to_entry(const Point_3& p, const Vector_3& direction) const
+  {
+    return m_extent * m_tree->first_entry(inside(p), turned(direction), 1.f).distance;
+  }
+
+private:
+  template <typename Vector>
+  static internal::Coordinates coordinates(const Vector& v)
+  {
+    return {to_double(v.x()), to_double(v.y()), to_double(v.z())};
+  }
+  internal::Vector3 inside(const Point_3& p) const { return m_placement.point(coordinates(p)); }
+  internal::Vector3 turned(const Vector_3& v) const { return m_placement.vector(coordinates(v)); }
+
+  internal::Placement m_placement;
+  double m_extent;
+  std::shared_ptr<const internal::Disk_tree> m_tree;
+};
+
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_DISK_LINE_OF_SIGHT_H
