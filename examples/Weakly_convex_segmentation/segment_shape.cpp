@@ -3,6 +3,7 @@
 
 // Segments a shape in a file, or a generated one, and writes the parts. See --help.
 
+#include "cgal_diameters.h"
 #include "gaps.h"
 #include "interruption.h"
 #include "nearest_elements.h"
@@ -78,9 +79,18 @@ WCS::Result segment_with(const Shape& shape, const Options& options,
     return !Program_errors::Interruption::happened();
   };
   const auto np = CGAL::parameters::callback(go_on).visitor(std::ref(stages));
+  const bool has_given = options.parameters.diameter == WCS::Diameter_rule::GIVEN;
+  if (has_given && !shape.is_mesh())
+    throw std::invalid_argument("a cloud of points has no diameters by CGAL; use --diameters own");
   if (shape.is_mesh())
-    return CGAL::weakly_convex_segmentation_of_soup<Concurrency_tag>(shape.points, shape.polygons,
-                                                                     options.parameters, np);
+  {
+    const std::vector<double> diameters =
+        has_given ? Segment_shape::cgal_diameters(shape, options.parameters)
+                  : std::vector<double>();
+    WCS::Segmenter<Concurrency_tag> segmenter(shape.points, shape.polygons, options.parameters, np);
+    if (has_given) segmenter.set_diameters(diameters);
+    return segmenter.segment(options.parameters);
+  }
   return segment_cloud<Concurrency_tag>(shape, options.parameters, np);
 }
 

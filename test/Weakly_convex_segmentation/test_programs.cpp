@@ -205,6 +205,7 @@ BOOST_AUTO_TEST_CASE(stages_and_limits_change_the_number_of_parts)
   BOOST_TEST(count({"--max-segments", "2"}) <= 2u);
   BOOST_TEST(count({"--max-segments", "1"}) == 1u);
   BOOST_TEST(count({"--preset", "paper"}) >= 1u);
+  BOOST_TEST(count({"--diameters", "cgal"}) >= 2u);
 }
 
 BOOST_AUTO_TEST_CASE(the_numbers_agree)
@@ -287,6 +288,7 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused)
                                        {"--threads", "0"},
                                        {"--max-segments", "0"},
                                        {"--preset", "best"},
+                                       {"--diameters", "other"},
                                        {"--stage", "parts"},
                                        {"--shape", "unknown"},
                                        {""},
@@ -311,6 +313,8 @@ BOOST_AUTO_TEST_CASE(what_can_not_be_read_or_written_is_refused)
   for (const std::string name : {"missing.off", "missing\nline.off", "cut.off", "empty.ply",
                                  "garbage.ply", "garbage.stl", "a.doc", "."})
     check_failure(folder, {name, "-o", "b.ply", "--labels", "b.seg"});
+  folder.write("cloud.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  check_failure(folder, {"cloud.xyz", "--diameters", "cgal", "-o", "b.ply"});
   check_failure(folder, {"a.off", "-o", "none/b.ply"});
   check_failure(folder, {"a.off", "-o", "b.ply", "--stats", "none/b.json"});
   check_failure(folder, {"a.off", "-o", "b.ply", "--labels", "."});

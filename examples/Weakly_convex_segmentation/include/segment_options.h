@@ -31,6 +31,7 @@ struct Options
   std::string dense_file;                          // empty: the labels are those of the input
   std::string preset = "default";
   std::string stage = "segments";
+  std::string diameters = "own";
   WCS::Level level = WCS::Level::SEGMENTS;
   WCS::Parameters parameters;
   std::size_t number_of_threads = 0; // 0: all
@@ -88,6 +89,10 @@ inline po::options_description described_options(Options& options, Numbers& numb
       "parts");
   add("stage", po::value(&options.stage)->value_name("patches|components|segments"),
       "granularity of the labels (default: segments)");
+  add("diameters", po::value(&options.diameters)->value_name("own|cgal"),
+      "how thick the shape is at a face: measured on points, or by CGAL's shape diameter function, "
+      "which takes "
+      "longer and needs a manifold mesh of triangles (default: own)");
   add("max-segments", po::value(&numbers.max_segments)->value_name("N"),
       "merge on until there are at most N segments");
   add("min-segment-size", po::value(&numbers.min_segment_share)->value_name("SHARE"),
@@ -167,6 +172,11 @@ inline void apply(const Numbers& numbers, Options& options)
     options.level = WCS::Level::COMPONENTS;
   else if (options.stage != "segments")
     refuse("--stage is '" + options.stage + "', give patches, components or segments");
+
+  if (options.diameters == "cgal")
+    options.parameters.diameter = WCS::Diameter_rule::GIVEN;
+  else if (options.diameters != "own")
+    refuse("--diameters is '" + options.diameters + "', give own or cgal");
 
   options.parameters.maximum_number_of_segments = static_cast<std::size_t>(numbers.max_segments);
   options.parameters.seed = static_cast<unsigned int>(numbers.seed);
