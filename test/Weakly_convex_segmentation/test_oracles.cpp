@@ -65,7 +65,8 @@ std::vector<Point_with_normal> sphere(const std::size_t count)
   std::vector<Point_with_normal> points;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const auto& [x, y, z] = raw.positions[i], &[ nx, ny, nz ] = raw.normals[i];
+    const auto& [x, y, z] = raw.positions[i];
+    const auto& [nx, ny, nz] = raw.normals[i];
     points.push_back({Point(x, y, z), Vector(nx, ny, nz)});
   }
   return points;
@@ -103,6 +104,16 @@ struct Constant_cost
   double operator()(const WCS::Region_pair&, double) const { return cost; }
   double fusion_threshold() const { return 1.; }
   double merging_threshold() const { return 1.; }
+};
+
+/// a line of sight by which nothing is seen
+struct Blind
+{
+  using Point_3 = Point;
+  using Vector_3 = Vector;
+  bool sees(const Point&, const Point&) const { return false; }
+  double distance_to_exit(const Point&, const Vector&) const { return infinity; }
+  double distance_to_entry(const Point&, const Vector&) const { return infinity; }
 };
 
 struct Unannounced_cost : Constant_cost
@@ -167,14 +178,6 @@ BOOST_AUTO_TEST_CASE(exact_lines_of_sight_find_the_parts_that_disks_find)
 
 BOOST_AUTO_TEST_CASE(nobody_sees_anybody_where_the_line_of_sight_says_so)
 {
-  struct Blind
-  {
-    using Point_3 = Point;
-    using Vector_3 = Vector;
-    bool sees(const Point&, const Point&) const { return false; }
-    double distance_to_exit(const Point&, const Vector&) const { return infinity; }
-    double distance_to_entry(const Point&, const Vector&) const { return infinity; }
-  };
   const Dumbbell dumbbell;
   const WCS::Segmenter<> segmenter(dumbbell.mesh, NP::line_of_sight(Blind()));
   std::vector<std::size_t> all(dumbbell.shape.faces.size());

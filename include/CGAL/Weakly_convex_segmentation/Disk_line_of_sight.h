@@ -52,10 +52,10 @@ public:
     const auto& plain = internal::as_cgal(np);
     const Parameters parameters = internal::read_parameters(plain);
     parameters.check();
-    const internal::Oriented_points points =
+    internal::Oriented_points points =
         internal::orient_points(internal::read_input<Sequential_tag>(input, plain, parameters));
     const internal::Neighbor_graph graph =
-        internal::build_neighbor_graph(points, parameters.number_of_neighbors);
+        internal::build_neighbor_graph(points, parameters.number_of_neighbors, false);
     m_placement = points.placement;
     m_extent = points.extent;
     m_tree = std::make_shared<internal::Disk_tree>(
