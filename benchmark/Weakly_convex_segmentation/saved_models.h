@@ -64,6 +64,7 @@ public:
     (*this)(shape.graph.spacing);
     (*this)(shape.patch_sets.front().patches.of_point);
     (*this)(shape.diameters);
+    shape.has_diameters = true; // as it had when it was saved
   }
 
 private:
