@@ -158,7 +158,9 @@ BOOST_AUTO_TEST_CASE(disks_of_a_sphere_let_lines_pass_inside_and_end_rays)
   BOOST_CHECK(sight.sees(left, right));
   BOOST_CHECK(sight.sees(left, top));
   BOOST_CHECK(!sight.sees(Point(1., 0., 0.), right)); // from outside
-  BOOST_CHECK_CLOSE(sight.distance_to_exit(left, {1., 0., 0.}), 4., 1.);
+  const double half =
+      std::sqrt(0.5); // a ray reaches as far as the extent: less than through the center
+  BOOST_CHECK_CLOSE(sight.distance_to_exit(left, {half, half, 0.}), 4. * half, 2.);
   BOOST_CHECK_CLOSE(sight.distance_to_entry(Point(2., 0., 0.), {1., 0., 0.}), 1., 2.);
   BOOST_CHECK_EQUAL(sight.distance_to_exit(right, {1., 0., 0.}), infinity);
 }
@@ -281,7 +283,7 @@ BOOST_AUTO_TEST_CASE(diameters_come_from_the_map_that_is_given)
     const auto result =
         CGAL::weakly_convex_segmentation(mesh, map, NP::diameter_map(number(diameter)));
     for (const WCS::Segment& segment : result.segments)
-      BOOST_CHECK_CLOSE(segment.diameter, diameter, 1e-3);
+      BOOST_CHECK_CLOSE(segment.diameter, diameter, 4.); // that of a bin of the histogram
   }
   const auto none = CGAL::weakly_convex_segmentation(mesh, map, NP::diameter_map(number(-1.)));
   for (const WCS::Segment& segment : none.segments) BOOST_CHECK_EQUAL(segment.diameter, 0.);

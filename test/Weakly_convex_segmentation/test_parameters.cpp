@@ -162,7 +162,7 @@ std::vector<Setting> settings()
           {"merging", "default", "dumbbell", 0.},
           {"diameter", "default", "dumbbell", 0.},
           {"refinement", "default", "hand", 0.},
-          {"fusion", "paper", "dumbbell", 1.},
+          {"fusion", "paper", "hand", 1.},
           {"signature_threshold", "paper", "hand", 0.9},
           {"concave_seam_ratio", "paper", "hand", 1e6, {"signature_threshold=1"}},
           {"flat_share", "paper", "hand", 0.9},

@@ -283,8 +283,9 @@ struct Parameters
 inline Parameters Parameters::paper()
 {
   Parameters p;
-  p.face_sampling_factor = 0.; // section 6: one point a face
-  p.number_of_representatives = 20000;
+  p.face_sampling_factor = 0.;         // section 6: one point a face
+  p.number_of_representatives = 10000; // as many points as the paper's largest shapes have
+  p.number_of_supervoxels = 10000;     // the clustering is that of the points themselves
   p.noise_tolerance = 180.;
   p.mesh_noise_tolerance = 180.;
   p.align_principal_axes = false;
