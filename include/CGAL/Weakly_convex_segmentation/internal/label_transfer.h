@@ -55,11 +55,85 @@ inline std::vector<Index> points_in_band(const Shape_analysis& shape,
   return result;
 }
 
+/// Some of the input points, with borders of their own.
+struct Border_points
+{
+  Oriented_points points;
+  Neighbor_graph graph;
+  std::vector<int> labels;
+
+  float spacing() const
+  {
+    return std::accumulate(graph.spacing.begin(), graph.spacing.end(), 0.f) /
+           static_cast<float>((std::max)(graph.size(), std::size_t(1)));
+  }
+};
+
+/// moves the borders between the labels of the chosen input points, among these alone.
+inline Border_points move_borders_among(const Shape_analysis& shape,
+                                        const std::vector<Index>& chosen,
+                                        const Parameters& parameters, const bool keeps_links,
+                                        const Run_control& control, std::vector<int>& labels)
+{
+  Border_points border{sub_points(shape.input, chosen), {}, {}};
+  if (!keeps_links) border.points.links.clear();
+  border.graph = build_neighbor_graph(border.points, parameters.number_of_neighbors,
+                                      control.parallel, parameters.link_across_lines);
+  if (shape.is_smoothed)
+    smooth_noise(radians(parameters.noise_tolerance), border.graph, border.points);
+  control.check();
+  for (const Index i : chosen) border.labels.push_back(labels[i]);
+  move_borders(border.graph, parameters, border.labels, control.parallel);
+  for (std::size_t j = 0; j < chosen.size(); ++j) labels[chosen[j]] = border.labels[j];
+  return border;
+}
+
+/// gives points the labels of the samples among them that are nearest and on the same side of a wall;
+/// returns those of the points whose sample lies within `width` of a border.
+inline std::vector<Index> carry_from_samples(const Shape_analysis& shape,
+                                             const std::vector<Index>& near_border,
+                                             const Border_points& samples, const float width,
+                                             const Run_control& control, std::vector<int>& labels)
+{
+  constexpr std::size_t candidates = 4;
+  const std::vector<Band_point> band =
+      find_band(samples.graph, samples.labels, width, control.parallel);
+  const Nearest_points tree(samples.points.positions);
+  std::vector<char> is_near(near_border.size());
+  parallel_for(
+      near_border.size(), control.parallel,
+      [&](const std::size_t j)
+      {
+        const Index i = near_border[j], none = static_cast<Index>(-1);
+        Index nearest = none, facing = none;
+        tree.nearest(shape.input.positions[i], candidates,
+                     [&](const Index s, float)
+                     {
+                       if (nearest == none) nearest = s;
+                       if (facing == none &&
+                           dot(samples.points.normals[s], shape.input.normals[i]) > 0.f)
+                         facing = s;
+                     });
+        const Index sample = facing != none ? facing : nearest;
+        labels[i] = samples.labels[sample];
+        is_near[j] = band[sample].other >= 0 ? 1 : 0;
+      },
+      1024);
+  std::vector<Index> result;
+  for (std::size_t j = 0; j < near_border.size(); ++j)
+    if (is_near[j] != 0) result.push_back(near_border[j]);
+  return result;
+}
+
 /// returns the labels of the input points in spatial order, from those of the representatives, with
 /// the borders refined anew among the points themselves: only those near a border are looked at.
+///
+/// Where there are many points to a representative, the borders are moved among some of them first, and then
+/// among all that are as near as those lie apart: else a cut of a million points takes most of the time.
 inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vector<int>& labels,
                                      const Parameters& parameters, const Run_control& control)
 {
+  constexpr std::size_t many = 12, samples_per_representative = 6;
   std::vector<int> result(shape.input.size());
   parallel_for(
       result.size(), control.parallel,
@@ -77,20 +151,25 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
   fine.band_width = (std::min)(parameters.band_width, 1.5 * static_cast<double>(spacing));
   const std::vector<Band_point> band = find_band(
       shape.graph, labels, static_cast<float>(fine.band_width) + spacing, control.parallel);
-  const std::vector<Index> near_border = points_in_band(shape, band, control.parallel);
-  if (near_border.empty()) return result;
+  std::vector<Index> near_border = points_in_band(shape, band, control.parallel);
   control.check();
 
-  Oriented_points points = sub_points(shape.input, near_border);
-  if (!parameters.use_mesh_adjacency) points.links.clear();
-  Neighbor_graph graph = build_neighbor_graph(points, parameters.number_of_neighbors,
-                                              control.parallel, parameters.link_across_lines);
-  if (shape.is_smoothed) smooth_noise(radians(parameters.noise_tolerance), graph, points);
-  control.check();
-  std::vector<int> band_labels;
-  for (const Index i : near_border) band_labels.push_back(result[i]);
-  move_borders(graph, fine, band_labels, control.parallel);
-  for (std::size_t j = 0; j < near_border.size(); ++j) result[near_border[j]] = band_labels[j];
+  const std::size_t density = shape.input.size() / shape.points().size();
+  if (density >= many)
+  {
+    std::vector<Index> chosen;
+    const std::size_t step = density / samples_per_representative;
+    for (std::size_t j = step / 2; j < near_border.size(); j += step)
+      chosen.push_back(near_border[j]);
+    if (chosen.empty()) return result;
+    const Border_points samples = move_borders_among(shape, chosen, fine, false, control, result);
+    fine.band_width = (std::min)(fine.band_width, static_cast<double>(samples.spacing()));
+    near_border =
+        carry_from_samples(shape, near_border, samples, 2.f * samples.spacing(), control, result);
+    control.check();
+  }
+  if (!near_border.empty())
+    move_borders_among(shape, near_border, fine, parameters.use_mesh_adjacency, control, result);
   return result;
 }
 

@@ -62,7 +62,8 @@ inline Eigenvectors lanczos_eigenvectors(const Graph_matrix& matrix, const Eigen
                                          const Eigen::Index lanczos_vectors)
 {
   constexpr float tolerance = 1e-3f; // k-means needs no better
-  constexpr Eigen::Index maximum_restarts = 200;
+  // surfaces need about 12; long wires, whose eigenvalues lie close, are content with what is found by then
+  constexpr Eigen::Index maximum_restarts = 20;
   Spectra::SparseSymMatProd<float> product(matrix);
   Spectra::SymEigsSolver<Spectra::SparseSymMatProd<float>> solver(product, count, lanczos_vectors);
   solver.init();
@@ -72,7 +73,7 @@ inline Eigenvectors lanczos_eigenvectors(const Graph_matrix& matrix, const Eigen
 
 /// returns the eigenvectors of the `count` highest eigenvalues, or fewer where they do not converge.
 ///
-/// Small matrices are solved densely. If Lanczos iteration does not find all eigenvectors, it is tried once
+/// Small matrices are solved densely. If Lanczos iteration finds hardly any eigenvectors, it is tried once
 /// more in a space of twice the dimensions.
 inline Eigenvectors highest_eigenvectors(const Graph_matrix& matrix, const Eigen::Index count)
 {
@@ -83,7 +84,7 @@ inline Eigenvectors highest_eigenvectors(const Graph_matrix& matrix, const Eigen
     return {solver.eigenvalues().tail(count), solver.eigenvectors().rightCols(count)};
   }
   Eigenvectors found = lanczos_eigenvectors(matrix, count, lanczos_vectors);
-  if (found.values.size() < count)
+  if (found.values.size() < count / 4)
     found = lanczos_eigenvectors(matrix, count, (std::min)(n, 2 * lanczos_vectors));
   return found;
 }
