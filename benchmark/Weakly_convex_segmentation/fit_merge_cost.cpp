@@ -270,7 +270,8 @@ std::vector<int> fitted_regions(Trial& trial, const Tree_table& table, const dou
   const auto trees = table.trees();
   const WCS::internal::Fitted_cost cost(trial.features, trees);
   const WCS::internal::Contraction_log log{trial.tree, nullptr};
-  WCS::internal::contract_fitted(trial.graph, cost, threshold, log);
+  WCS::internal::contract_up_to(
+      trial.graph, [&](const int a, const int b) { return cost(a, b); }, threshold, log);
   const WCS::Parameters parameters = WCS::Parameters::fitted();
   const WCS::internal::Histogram_scale scale;
   WCS::internal::absorb_small_regions(

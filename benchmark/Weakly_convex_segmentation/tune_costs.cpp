@@ -86,8 +86,11 @@ std::vector<int> merged_regions(const Prepared& p, const WCS::Parameters& parame
   const WCS::internal::Region_cost cost(graph, shape.patches(), shape.diameters, scale, parameters);
   WCS::Merge_tree tree(shape.patches().size());
   const WCS::internal::Contraction_log log{tree, nullptr};
-  WCS::internal::contract_by_cost(graph, cost, parameters.merging_cost,
-                                  parameters.merging_threshold, log);
+  const double threshold = parameters.merging_threshold;
+  WCS::internal::contract_up_to(
+      graph,
+      [&](const int a, const int b) { return cost(a, b, parameters.merging_cost, threshold); },
+      threshold, log);
   WCS::internal::absorb_small_regions(graph, cost, parameters, log);
   return graph.labels();
 }

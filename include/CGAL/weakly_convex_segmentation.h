@@ -84,7 +84,8 @@ namespace CGAL {
 ///   \cgalParamNBegin{diameter_map}
 ///     \cgalParamDescription{diameters of the shape at the elements, in units of the input, such as those of
 ///       `CGAL::sdf_values()`; at most 0 or not a number where there is none. It is for ranges, point sets
-///       and meshes, not for soups.}
+///       and meshes, not for soups, and has no effect with `Diameter_rule::OWN_POINTS`, as in the preset
+///       `paper`.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the key type of `LabelMap`, value type `double`}
 ///     \cgalParamDefault{measured along lines of sight}
 ///   \cgalParamNEnd
@@ -113,9 +114,8 @@ namespace CGAL {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{gives the coordinates of points and vectors, which are converted to `double`}
-///     \cgalParamType{a class with `compute_x_3_object()`, `compute_y_3_object()` and
-///       `compute_z_3_object()`, as every kernel has them}
-///     \cgalParamDefault{the member functions `x()`, `y()` and `z()` are called}
+///     \cgalParamType{a model of `WeaklyConvexSegmentationTraits`, as every kernel is}
+///     \cgalParamDefault{`Weakly_convex_segmentation::Default_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{called with the progress from 0 to 1 by the calling thread, after each stage
@@ -147,7 +147,9 @@ namespace CGAL {
 /// `Parameters::number_of_representatives` points.
 ///
 /// Thread safety: the function may run in several threads at once, if each has a label map, callback and
-/// visitor of its own. Property maps are read and written by the calling thread alone.
+/// visitor of its own. With `Parallel_tag`, the maps of a range are read, and what is given for
+/// `line_of_sight`, `patch_clustering` and `merge_cost` is called, by several threads at once; labels are
+/// written by the calling thread alone.
 template <typename ConcurrencyTag = Sequential_tag, typename Input, typename LabelMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Weakly_convex_segmentation::Result
@@ -186,8 +188,9 @@ weakly_convex_segmentation(const Input& input, LabelMap label_map,
 /// \param points the corners of the polygons; points that none names are allowed,
 ///   but have to be finite, too
 /// \param polygons indices from 0, at least 3 each; neither they nor the points are changed
-/// \param np `segmentation_parameters`, `maximum_number_of_segments`, `minimum_segment_share`, `point_map`, `geom_traits`, `callback`, `visitor` and `random_seed` of
-///   `weakly_convex_segmentation()`
+/// \param np `segmentation_parameters`, `maximum_number_of_segments`, `minimum_segment_share`,
+///   `line_of_sight`, `patch_clustering`, `merge_cost`, `point_map`, `geom_traits`, `callback`, `visitor` and
+///   `random_seed` of `weakly_convex_segmentation()`
 ///
 /// \returns a result with one label a polygon, in the order of `polygons`
 ///

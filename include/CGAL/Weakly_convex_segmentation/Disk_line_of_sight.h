@@ -10,7 +10,7 @@
 
 #include <CGAL/tags.h>
 
-#include <limits>
+#include <cmath>
 #include <memory>
 
 // Lines of sight between points as disks (section 3), for points other than those that are segmented.
@@ -24,7 +24,8 @@ namespace Weakly_convex_segmentation {
 ///
 /// This is what a segmentation makes of its own points, or of their representatives. Made of other points,
 /// such as all those of a dense scan, or a clean scan of the same object, it lets these be in the way. It
-/// refers to nothing; copies share the disks. Queries may run in several threads at once.
+/// refers to nothing; copies share the disks. Queries may run in several threads at once. Points are taken as
+/// they are: noise is not smoothed, and normals that point inwards are not turned.
 ///
 /// \tparam Kernel a %CGAL kernel, or another class with `Point_3` and `Vector_3` that can be made of three
 ///   `double` and have `x()`, `y()` and `z()`
@@ -42,9 +43,10 @@ public:
   /// \param np `point_map`, `normal_map`, `vertex_point_map`, `face_index_map` and `geom_traits` as for
   ///   `weakly_convex_segmentation()`, and `segmentation_parameters`, of which `number_of_neighbors`,
   ///   `disk_radius_factor`, `clearance_factor` and `grazing_tolerance` count
-  /// \throws std::invalid_argument if there are no points or coordinates are not finite
+  /// \throws std::invalid_argument if there are no points, coordinates are not finite, or a parameter is out of
+  ///   its range
   ///
-  /// Complexity: O(n log n) for n points.
+  /// Complexity: O(n log n) for n points, on one thread.
   template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
   explicit Disk_line_of_sight(const Input& input,
                               const NamedParameters& np = parameters::default_values())

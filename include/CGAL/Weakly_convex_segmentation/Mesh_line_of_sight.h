@@ -30,8 +30,7 @@ namespace Weakly_convex_segmentation {
 /// Lines of sight inside of a closed triangle mesh, exact: the triangles are in the way, in
 /// a `CGAL::AABB_tree`.
 ///
-/// It does not refer to the mesh after construction if `VertexPointMap` does not; the default does, so the
-/// mesh has to live as long. Copies share the tree. Queries may run in several threads at once if the kernel
+/// It refers to the mesh, which has to live as long and stay as it is. Copies share the tree. Queries may run in several threads at once if the kernel
 /// of the points allows it.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` of triangles, closed, with normals that point outwards

@@ -34,8 +34,8 @@ public:
 
   /// returns a function that gives each node its cluster for a seed.
   ///
-  /// Complexity: O((e + n d) d) for each of about 10 restarts of the solver, for e edges, n nodes and d
-  /// dimensions; for each seed O(c n log n + e d) with c clusters.
+  /// Complexity: O((e + n d) d) for each of about 12 restarts of the solver, 20 at most, for e edges, n nodes
+  /// and d dimensions, O(n^3) where n is at most 2 d + 10; for each seed O(c n log n + e d) with c clusters.
   auto operator()(const Convexity_graph& graph, const std::size_t number_of_clusters) const
   {
     const internal::Graph_matrix adjacency = internal::normalized_adjacency(graph);

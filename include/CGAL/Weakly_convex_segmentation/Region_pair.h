@@ -30,17 +30,17 @@ public:
   /// share of the points of the shape in the larger region, in `[0, 1]`
   double size_of_larger() const { return m_measures.share(m_larger); }
   /// share of the lines of sight between the regions that are free, in `[0, 1]` (section 4). It is the
-  /// most expensive measure: ask for it last. Above the merging threshold, where only the order of the
-  /// merge tree is left to decide, no more lines are cast, and it is 0.
+  /// most expensive measure: ask for it last. Where the limit is infinity, only the order of the merge tree
+  /// is left to decide: no more lines are cast, and it is 0.
   double visibility() const { return m_is_blind ? 0. : m_measures.visibility(m_smaller, m_larger); }
   /// share of the seam that is concave, in `[0, 1]` (section 5)
   double concave_share() const { return m_measures.concave_share(m_smaller, m_larger); }
   /// earth mover's distance of the histograms of the logarithms of the shape diameter (section 5), at least
   /// 0; `Parameters::missing_diameter_distance` where one of the regions has no diameter
   double diameter_distance() const { return m_measures.diameter_distance(m_smaller, m_larger); }
-  /// geometric mean of the shape diameter in the smaller region; 0: none
+  /// geometric mean of the shape diameter in the smaller region, relative to the extent; 0: none
   double diameter_of_smaller() const { return m_measures.diameter(m_smaller); }
-  /// geometric mean of the shape diameter in the larger region; 0: none
+  /// geometric mean of the shape diameter in the larger region, relative to the extent; 0: none
   double diameter_of_larger() const { return m_measures.diameter(m_larger); }
   /// standard deviation of the logarithm of the shape diameter in the smaller region
   double diameter_spread_of_smaller() const { return m_measures.diameter_spread(m_smaller); }
@@ -62,7 +62,8 @@ public:
                       : m_measures(m_smaller, m_larger, weights, limit);
   }
   /// the probability that people cut between the regions, in `[0, 1]`, as learned from their
-  /// segmentations of shapes of 19 kinds
+  /// segmentations of shapes of 19 kinds. A run that uses it measures more of the seams, and takes about 1.6
+  /// times as long.
   /// \throws std::logic_error if the cost does not say that it uses it, see
   ///   `WeaklyConvexSegmentationMergeCost`
   double cut_probability() const

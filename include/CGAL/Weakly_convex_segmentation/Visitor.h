@@ -15,9 +15,9 @@ namespace Weakly_convex_segmentation {
 enum class Stage
 {
   SAMPLING,   ///< representatives of the input points
-  NEIGHBORS,  ///< neighbor graph and disks
+  NEIGHBORS,  ///< neighbor graph
   PATCHES,    ///< over-segmentation into nearly convex patches
-  VISIBILITY, ///< search tree of the disks (lines of sight are cast on demand, while merging)
+  VISIBILITY, ///< what lines of sight are cast against (on demand, while merging)
   SIGNATURES, ///< shape diameters
   AGREEMENT,  ///< segments that several sets of patches agree on
   FUSION,     ///< patches into weakly convex components

@@ -382,6 +382,20 @@ inline void contract(Region_graph& graph, const Function_ref<double(int, int)> c
   }
 }
 
+/// merges adjacent regions by ascending cost while it is at most `threshold`.
+inline void contract_up_to(Region_graph& graph, const Function_ref<double(int, int)> cost,
+                           const double threshold, const Contraction_log& log)
+{
+  contract(
+      graph,
+      [&](const int a, const int b)
+      {
+        const double c = cost(a, b);
+        return c <= threshold ? c : std::numeric_limits<double>::infinity();
+      },
+      log);
+}
+
 } // namespace internal
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL

@@ -221,15 +221,6 @@ inline void set_signatures(Region_graph& graph, const Patches& patches,
     graph.region(patches.of_point[s.point]).diameters.add(scale, s.diameter);
 }
 
-/// contracts by ascending cost up to a threshold.
-inline void contract_by_cost(Region_graph& graph, const Region_cost& cost,
-                             const Merging_cost& weights, const double threshold,
-                             const Contraction_log& log)
-{
-  contract(
-      graph, [&](const int a, const int b) { return cost(a, b, weights, threshold); }, log);
-}
-
 /// gives regions that are too small for a part to the neighbor that suits best.
 inline void absorb_small_regions(Region_graph& graph, const Region_cost& cost,
                                  const Parameters& parameters, const Contraction_log& log)

@@ -50,20 +50,6 @@ private:
   mutable std::vector<float> m_values; // kept between calls, against an allocation each
 };
 
-/// contracts by ascending fitted cost up to a threshold.
-inline void contract_fitted(Region_graph& graph, const Fitted_cost& cost, const double threshold,
-                            const Contraction_log& log)
-{
-  contract(
-      graph,
-      [&](const int a, const int b)
-      {
-        const double c = cost(a, b);
-        return c <= threshold ? c : std::numeric_limits<double>::infinity();
-      },
-      log);
-}
-
 } // namespace internal
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL

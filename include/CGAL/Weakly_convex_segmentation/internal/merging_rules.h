@@ -78,14 +78,12 @@ private:
 
   void contract_up_to(const double threshold, const Contraction_log& log)
   {
-    contract(
+    internal::contract_up_to(
         m_graph,
-        [&](const int a, const int b)
-        {
-          const double c = m_cost.cost({m_measures, m_learned.get(), a, b, false}, threshold);
-          return c <= threshold ? c : std::numeric_limits<double>::infinity();
+        [&](const int a, const int b) {
+          return m_cost.cost({m_measures, m_learned.get(), a, b, false}, threshold);
         },
-        log);
+        threshold, log);
   }
 
   Region_graph& m_graph;
