@@ -1,5 +1,10 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
+//
+// This file is part of Weakly_convex_segmentation, a package for CGAL (www.cgal.org).
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Weakly_convex_segmentation authors
 
 // List of the named parameters of this package, in the form of CGAL's own list: tag, (unused), name.
 // It is included more than once, with a meaning of the macro each time, see named_parameters.h: no guard.

@@ -1,5 +1,10 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
+//
+// This file is part of Weakly_convex_segmentation, a package for CGAL (www.cgal.org).
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Weakly_convex_segmentation authors
 
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REPRESENTATIVES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_REPRESENTATIVES_H
