@@ -118,7 +118,7 @@ namespace CGAL {
 ///     \cgalParamDefault{the member functions `x()`, `y()` and `z()` are called}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{called with the progress from 0 to 1 by the calling thread, after each stage
+///     \cgalParamDescription{called with the progress, which grows from 0 to 1, by the calling thread, after each stage
 ///       and within long ones; false stops the run}
 ///     \cgalParamType{`std::function<bool(double)>`}
 ///     \cgalParamDefault{none}
@@ -147,7 +147,8 @@ namespace CGAL {
 /// `Parameters::number_of_representatives` points.
 ///
 /// Thread safety: the function may run in several threads at once, if each has a label map, callback and
-/// visitor of its own. Property maps are read and written by the calling thread alone.
+/// visitor of its own. Property maps are written by the calling thread alone, and read by it but for what is
+/// said of `Parallel_tag`.
 template <typename ConcurrencyTag = Sequential_tag, typename Input, typename LabelMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Weakly_convex_segmentation::Result
