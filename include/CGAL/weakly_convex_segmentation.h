@@ -123,7 +123,7 @@ namespace CGAL {
 ///     \cgalParamDefault{`Weakly_convex_segmentation::Default_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{called with the progress from 0 to 1 by the calling thread, after each stage
+///     \cgalParamDescription{called with the progress, which grows from 0 to 1, by the calling thread, after each stage
 ///       and within long ones; false stops the run}
 ///     \cgalParamType{`std::function<bool(double)>`}
 ///     \cgalParamDefault{none}

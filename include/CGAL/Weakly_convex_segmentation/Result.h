@@ -34,7 +34,8 @@ struct Segment
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// The outcome of a segmentation.
 ///
-/// Labels are numbered from 0 without gaps, in the order of the first element in which they occur. It is a
+/// Labels are numbered from 0 without gaps, in the order of the first element in which they occur. Input order
+/// is that of `faces(mesh)`, whatever `face_index_map` says, of the range or `Point_set_3`, or of the polygons. It is a
 /// value that refers to nothing else: it may be copied, and read from several threads at once.
 struct Result
 {
