@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Swaps the line of sight: the triangles of the closed mesh are in the way, in place of disks, and the lines
-// are counted.
+// Swaps the line of sight: triangles of the closed mesh are in the way, not disks, and lines are counted.
 
 #include "shape_generator.h"
 
@@ -11,7 +10,6 @@
 #include <CGAL/Weakly_convex_segmentation/Mesh_line_of_sight.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
-#include <cstddef>
 #include <iostream>
 #include <vector>
 
