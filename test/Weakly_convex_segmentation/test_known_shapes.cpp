@@ -73,16 +73,23 @@ struct Expected
   double error;
 };
 
-void check_expected(const std::vector<Expected>& expected, const Parameters& parameters)
+/// checks the numbers of segments of each seed, and the mean of the distances
+void check_expected(const std::vector<Expected>& expected, Parameters parameters,
+                    const unsigned int seeds = 1)
 {
   for (const Expected& e : expected)
   {
     BOOST_TEST_CONTEXT(e.name)
     {
-      const Result result = segment(mesh_of(e.name), parameters);
-      BOOST_CHECK_GE(result.number_of_segments(), e.least);
-      BOOST_CHECK_LE(result.number_of_segments(), e.most);
-      BOOST_CHECK_LE(error(result, mesh_of(e.name)), e.error);
+      double sum = 0.;
+      for (parameters.seed = 0; parameters.seed < seeds; ++parameters.seed)
+      {
+        const Result result = segment(mesh_of(e.name), parameters);
+        BOOST_CHECK_GE(result.number_of_segments(), e.least);
+        BOOST_CHECK_LE(result.number_of_segments(), e.most);
+        sum += error(result, mesh_of(e.name));
+      }
+      BOOST_CHECK_LE(sum / seeds, e.error);
     }
   }
 }
@@ -135,15 +142,16 @@ BOOST_AUTO_TEST_CASE(default_preset_finds_known_parts)
 
 BOOST_AUTO_TEST_CASE(paper_preset_finds_known_parts)
 {
-  check_expected({{"sphere", 1, 2, 0.1},
-                  {"box", 1, 4, 0.2},
-                  {"two_spheres", 2, 5, 0.1},
-                  {"dumbbell", 3, 5, 0.1},
+  // one set of patches is left to chance: some seeds cut the board of the table
+  check_expected({{"sphere", 1, 1, 0.},
+                  {"box", 1, 1, 0.},
+                  {"two_spheres", 2, 6, 0.03},
+                  {"dumbbell", 3, 3, 0.02},
                   {"table", 5, 12, 0.15},
-                  {"airplane", 4, 14, 0.12},
-                  {"octopus", 9, 25, 0.12},
+                  {"airplane", 4, 14, 0.08},
+                  {"octopus", 9, 25, 0.06},
                   {"figure", 6, 30, 0.2}},
-                 Parameters::paper());
+                 Parameters::paper(), 4);
 }
 
 BOOST_AUTO_TEST_CASE(fitted_preset_finds_known_parts)
