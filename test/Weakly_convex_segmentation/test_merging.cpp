@@ -249,21 +249,28 @@ BOOST_AUTO_TEST_CASE(fusion_respects_its_thresholds)
 
 BOOST_AUTO_TEST_CASE(paper_finds_the_parts_of_clear_shapes)
 {
+  constexpr unsigned int seeds = 4; // one set of patches is left to chance
   for (const std::string name : {"two_spheres", "dumbbell", "table"})
   {
-    const Parameters parameters = Parameters::paper();
-    Shape shape(name, parameters);
-    Region_graph graph = shape.regions();
-    Merge_tree tree(shape.patches.size());
-    const Contraction_log log{tree, nullptr};
-    fuse_components(graph, parameters, log);
-    const std::size_t components = graph.number_of_regions();
-    Component_signatures signatures(shape.points, shape.patches, parameters, false);
-    merge_components(graph, signatures, {}, parameters, log);
-    BOOST_CHECK_LE(graph.number_of_regions(), components);
-    BOOST_CHECK_GE(graph.number_of_regions(), name == "table" ? 5u : 2u);
-    BOOST_CHECK_LT(rand_distance(shape.point_labels(graph.labels()), shape.truth), 0.15);
-    BOOST_CHECK(tree.labels_after(tree.merges().size()) == graph.labels());
+    double sum = 0.;
+    Parameters parameters = Parameters::paper();
+    for (parameters.seed = 0; parameters.seed < seeds; ++parameters.seed)
+    {
+      Shape shape(name, parameters);
+      Region_graph graph = shape.regions();
+      Merge_tree tree(shape.patches.size());
+      const Contraction_log log{tree, nullptr};
+      fuse_components(graph, parameters, log);
+      const std::size_t components = graph.number_of_regions();
+      Component_signatures signatures(shape.points, shape.patches, parameters, false);
+      merge_components(graph, signatures, {}, parameters, log);
+      BOOST_CHECK_LE(graph.number_of_regions(), components);
+      BOOST_CHECK_GE(graph.number_of_regions(), name == "table" ? 5u : 2u);
+      BOOST_CHECK(tree.labels_after(tree.merges().size()) == graph.labels());
+      sum += rand_distance(shape.point_labels(graph.labels()), shape.truth);
+    }
+    BOOST_TEST_MESSAGE(name << ' ' << sum / seeds);
+    BOOST_CHECK_LT(sum / seeds, name == "table" ? 0.15 : 0.03);
   }
 }
 
