@@ -265,7 +265,6 @@ BOOST_AUTO_TEST_CASE(clouds_have_about_the_same_parts)
     const auto cloud = Shape_generator::make_cloud(name, 6000);
     std::vector<std::size_t> indices(cloud.points.size());
     std::iota(indices.begin(), indices.end(), std::size_t(0));
-    using Vector = CGAL::Simple_cartesian<double>::Vector_3;
     std::vector<Point> points;
     std::vector<Vector> normals;
     for (const auto& p : cloud.points) points.emplace_back(p[0], p[1], p[2]);
