@@ -14,9 +14,11 @@
 namespace Counted_memory {
 
 inline long live_count = 0;
+inline long total_count = 0;
 inline long until_failure = -1; ///< none fails if it is negative
 
 inline long live() { return live_count; }
+inline long total() { return total_count; } ///< those that were asked for, released or not
 
 /// lets the n-th allocation from now on fail, counted from 0, while it lives
 class Failure
@@ -31,6 +33,7 @@ public:
 inline void* allocate(const std::size_t size)
 {
   constexpr std::size_t most = std::size_t(1) << 30;
+  ++total_count;
   if (size > most || (until_failure >= 0 && until_failure-- == 0)) throw std::bad_alloc();
   void* const memory = std::malloc(size > 0 ? size : 1);
   if (memory == nullptr) throw std::bad_alloc();

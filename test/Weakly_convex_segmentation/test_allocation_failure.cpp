@@ -7,49 +7,16 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
+#include "counted_memory.h"
 #include "shapes_for_tests.h"
 
 #include <cstddef>
-#include <cstdlib>
 #include <functional>
 #include <new>
 #include <utility>
 #include <vector>
 
 // Whichever allocation fails, and wherever the run is stopped, the caller's labels stay as they were.
-
-namespace {
-
-long allocations = 0;         // since the last reset; this test has one thread
-long failing_allocation = -1; // the one that fails; -1: none
-
-void* allocate(const std::size_t size)
-{
-  if (allocations++ == failing_allocation) throw std::bad_alloc();
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-
-} // namespace
-
-void* operator new(const std::size_t size) { return allocate(size); }
-void* operator new[](const std::size_t size) { return allocate(size); }
-// as the standard library has it, but for AddressSanitizer
-void* operator new(const std::size_t size, const std::nothrow_t&) noexcept
-{
-  try
-  {
-    return allocate(size);
-  }
-  catch (const std::bad_alloc&)
-  {
-    return nullptr;
-  }
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -91,9 +58,9 @@ BOOST_AUTO_TEST_CASE(labels_stay_when_an_allocation_fails)
   {
     std::vector<int> labels(shape.size(), -7);
     const std::vector<int> before = labels;
-    allocations = 0;
+    const long before_run = Counted_memory::total();
     CGAL::weakly_convex_segmentation(shape, Label_map{&labels}, preset, maps());
-    const long total = allocations;
+    const long total = Counted_memory::total() - before_run;
     const std::vector<int> usual = labels;
     BOOST_REQUIRE_GT(total, 100);
     BOOST_REQUIRE(usual != before);
@@ -104,20 +71,20 @@ BOOST_AUTO_TEST_CASE(labels_stay_when_an_allocation_fails)
       // the first ones each, then spread over the run
       const long n = trial < 30 ? trial : trial * (total - 1) / (trials - 1);
       labels = before;
-      allocations = 0;
-      failing_allocation = n;
+      bool has_failed = false;
       try
       {
+        const Counted_memory::Failure failure(n);
         CGAL::weakly_convex_segmentation(shape, Label_map{&labels}, preset, maps());
-        failing_allocation = -1;
-        BOOST_CHECK(labels == usual); // what failed was not needed
       }
       catch (const std::bad_alloc&)
       {
-        failing_allocation = -1;
-        ++failures;
-        BOOST_CHECK_MESSAGE(labels == before, "allocation " << n << " of " << total);
+        has_failed = true;
       }
+      failures += has_failed ? 1 : 0;
+      // without an error, what failed was not needed
+      BOOST_CHECK_MESSAGE(labels == (has_failed ? before : usual),
+                          "allocation " << n << " of " << total);
     }
     BOOST_CHECK_GT(failures, trials / 2);
     CGAL::weakly_convex_segmentation(shape, Label_map{&labels}, preset, maps());
