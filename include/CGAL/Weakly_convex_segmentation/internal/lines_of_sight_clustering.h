@@ -140,16 +140,9 @@ inline void fill_empty_clusters(const Embedding& rows, const std::size_t count,
 {
   while (true)
   {
-    Embedding means = Embedding::Zero(static_cast<Eigen::Index>(count), rows.cols());
+    const Embedding means = cluster_means(rows, clusters.of_row, count);
     std::vector<std::size_t> sizes(count, 0);
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    {
-      const Index c = clusters.of_row[static_cast<std::size_t>(i)];
-      means.row(static_cast<Eigen::Index>(c)) += rows.row(i);
-      ++sizes[c];
-    }
-    for (std::size_t c = 0; c < count; ++c)
-      if (sizes[c] > 0) means.row(static_cast<Eigen::Index>(c)) /= static_cast<float>(sizes[c]);
+    for (const Index c : clusters.of_row) ++sizes[c];
     clusters.spread = 0.;
     std::pair<double, std::size_t> farthest(-1., 0);
     for (std::size_t i = 0; i < clusters.of_row.size(); ++i)
