@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "speed_shapes.h"
+#include "common/speed_shapes.h"
 
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 
@@ -20,10 +20,10 @@ namespace {
 namespace WCS = CGAL::Weakly_convex_segmentation;
 using namespace WCS::internal;
 
-const Raw_points& raw_points(const std::size_t size)
+const Raw_shape& raw_points(const std::size_t size)
 {
-  static std::map<std::size_t, Raw_points> made;
-  Raw_points& raw = made[size];
+  static std::map<std::size_t, Raw_shape> made;
+  Raw_shape& raw = made[size];
   if (!raw.positions.empty()) return raw;
   for (const auto& [p, n] : Speed_shapes::ordinary(size))
   {
@@ -48,11 +48,10 @@ std::size_t size_of(const benchmark::State& state)
 
 void sampling(benchmark::State& state)
 {
-  const Raw_points& raw = raw_points(size_of(state));
+  const Raw_shape& raw = raw_points(size_of(state));
   const WCS::Parameters parameters;
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        choose_representatives(orient_points(raw), parameters.number_of_representatives));
+    benchmark::DoNotOptimize(downsample(orient_points(raw), parameters.number_of_representatives));
 }
 
 void neighbors(benchmark::State& state)
@@ -74,7 +73,7 @@ void disks(benchmark::State& state)
 {
   const Shape_analysis& shape = analyzed(size_of(state));
   for (auto _ : state)
-    benchmark::DoNotOptimize(Sight(shape.points(), shape.graph, WCS::Parameters()));
+    benchmark::DoNotOptimize(Line_of_sight_query(shape.points(), shape.graph, WCS::Parameters()));
 }
 
 void diameters(benchmark::State& state)

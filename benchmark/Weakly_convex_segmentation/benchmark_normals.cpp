@@ -1,13 +1,13 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "shape_generator.h"
-#include "speed_shapes.h"
+#include "common/speed_shapes.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Weakly_convex_segmentation/Normal_orientation.h>
-#include <CGAL/Weakly_convex_segmentation/internal/Nearest_points.h>
-#include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
-#include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Kd_tree.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/estimate_normals.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
 
 #include <boost/program_options.hpp>
 
@@ -31,7 +31,7 @@ namespace {
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
 using WCS::Normal_orientation;
-using WCS::internal::Raw_points;
+using WCS::internal::Raw_shape;
 
 const std::vector<std::pair<std::string, Normal_orientation>> rows = {
     {"propagation", Normal_orientation::PROPAGATION},
@@ -40,20 +40,20 @@ const std::vector<std::string> ordinary_shapes = {
     "figure", "four_leg", "airplane", "octopus", "hand", "ant", "pliers", "box", "torus"};
 const std::vector<std::string> thin_shapes = {"thin_plate", "cup", "table", "chair", "glasses"};
 
-Raw_points cloud(const std::string& name, const std::size_t size)
+Raw_shape cloud(const std::string& name, const std::size_t size)
 {
   auto made = Shape_generator::make_cloud(name, size, 1);
-  Raw_points raw;
+  Raw_shape raw;
   raw.positions = std::move(made.points);
   raw.normals = std::move(made.normals);
   return raw;
 }
 
 /// moves points by a standard deviation of so many mean distances to the nearest other point
-void add_noise(Raw_points& raw, const double spacings)
+void add_noise(Raw_shape& raw, const double spacings)
 {
   const WCS::internal::Oriented_points points = WCS::internal::orient_points(raw);
-  const WCS::internal::Nearest_points tree(points.positions);
+  const WCS::internal::Kd_tree tree(points.positions);
   double sum = 0.;
   for (const auto& p : points.positions)
     tree.nearest(p, 2, [&](const WCS::internal::Index, const float d2) { sum += std::sqrt(d2); });
@@ -64,9 +64,9 @@ void add_noise(Raw_points& raw, const double spacings)
     for (double& c : p) c += size * (2. * Speed_shapes::unit_random(random) - 1.);
 }
 
-double share_of_right(const Raw_points& truth, const Normal_orientation orientation)
+double share_of_right(const Raw_shape& truth, const Normal_orientation orientation)
 {
-  Raw_points bare = truth;
+  Raw_shape bare = truth;
   WCS::internal::estimate_normals(bare, {}, orientation);
   double right = 0.;
   for (std::size_t i = 0; i < truth.normals.size(); ++i)
@@ -88,7 +88,7 @@ void print_shares(const std::string& title, const std::vector<std::string>& shap
         std::vector<double> shares;
         for (const std::string& shape : shapes)
         {
-          Raw_points raw = cloud(shape, size);
+          Raw_shape raw = cloud(shape, size);
           add_noise(raw, noise);
           shares.push_back(share_of_right(raw, orientation));
         }
@@ -104,7 +104,7 @@ void print_shares(const std::string& title, const std::vector<std::string>& shap
 void print_times(const std::size_t size, const std::size_t runs)
 {
   using namespace Speed_shapes;
-  Raw_points raw;
+  Raw_shape raw;
   const Cloud cloud = ordinary(size);
   for (const auto& p : cloud) raw.positions.push_back({p.first.x(), p.first.y(), p.first.z()});
   std::vector<double> floor, seconds[2];

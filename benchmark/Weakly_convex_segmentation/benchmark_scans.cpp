@@ -4,10 +4,10 @@
 // Segments incomplete clouds of the meshes of the Princeton Segmentation Benchmark: what a depth camera
 // sees from some sides, and samples with holes; scores them on the points that are there.
 
-#include "named_parameters.h"
-#include "scan_conditions.h"
-#include "scan_methods.h"
-#include "scan_rows.h"
+#include "common/set_parameter.h"
+#include "scans/scan_conditions.h"
+#include "scans/scan_methods.h"
+#include "scans/scan_rows.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>

@@ -4,10 +4,10 @@
 // Scores the objects and parts that segment_scene and methods of others find in depth-camera scenes
 // against their labels.
 
-#include "named_parameters.h"
-#include "read_shape.h"
-#include "scene_methods.h"
-#include "scene_scores.h"
+#include "common/set_parameter.h"
+#include "io/read_shape.h"
+#include "scenes/scene_methods.h"
+#include "scenes/scene_scores.h"
 
 #include <boost/program_options.hpp>
 

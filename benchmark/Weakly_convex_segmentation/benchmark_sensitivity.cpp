@@ -5,9 +5,9 @@
 // by 3 and by 10 percent of its value down and up, as one JSON file. What only touches merging and
 // borders is run on one analysis of the shape.
 
-#include "princeton_benchmark.h"
+#include "metrics/princeton_benchmark.h"
 
-#include "atomic_file.h"
+#include "io/atomic_file.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>

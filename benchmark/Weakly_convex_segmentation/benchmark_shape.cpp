@@ -6,12 +6,12 @@
 // long is told of in it and does not stop the others. Models are independent of each other: any tool
 // that starts programs can run many at once, on one machine or on many.
 
-#include "compared_methods.h"
-#include "draw_parts.h"
-#include "princeton_benchmark.h"
+#include "baselines/compared_methods.h"
+#include "metrics/princeton_benchmark.h"
+#include "report/draw_parts.h"
 
-#include "atomic_file.h"
-#include "part_colors.h"
+#include "io/atomic_file.h"
+#include "io/part_colors.h"
 
 #include <boost/program_options.hpp>
 #include <nlohmann/json.hpp>
@@ -126,8 +126,8 @@ std::vector<CM::Labeling> run_methods(const Options& options, CM::Shape& shape, 
   for (const CM::Method& method : CM::methods())
   {
     if (options.groups.count(method.group) == 0) continue;
-    Forked_run::Outcome outcome =
-        Forked_run::run([&] { return method.run(shape); }, options.seconds);
+    Run_in_child_process::Outcome outcome =
+        Run_in_child_process::run([&] { return method.run(shape); }, options.seconds);
     for (const std::string& name : method.names) outcomes[name] = {{"failure", outcome.failure}};
     for (CM::Labeling& labeling : outcome.labelings)
     {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "princeton_benchmark.h"
-#include "speed_shapes.h"
+#include "common/speed_shapes.h"
+#include "metrics/princeton_benchmark.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,8 +7,8 @@
 //   benchmark_stability DATA_DIR [--preset default|paper|fitted] [--set NAME=VALUE] [--per-category N]
 //                       [--points]
 
-#include "named_parameters.h"
-#include "shape_variants.h"
+#include "common/set_parameter.h"
+#include "common/shape_variants.h"
 
 #include <boost/program_options.hpp>
 
@@ -33,11 +33,11 @@
 namespace WCS = CGAL::Weakly_convex_segmentation;
 namespace SM = Segmentation_metrics;
 namespace po = boost::program_options;
-using Shape_variants::Raw_points;
+using Shape_variants::Raw_shape;
 
 namespace {
 
-std::vector<int> labels_of(const Raw_points& raw, const WCS::Parameters& parameters)
+std::vector<int> labels_of(const Raw_shape& raw, const WCS::Parameters& parameters)
 {
   return WCS::internal::segment_points(raw, parameters, {}).labels;
 }
@@ -102,7 +102,7 @@ SM::Mesh noisy(const SM::Mesh& mesh, const double deviation, std::mt19937& rando
 }
 
 /// two points a face, in the middle of its halves beside the midpoint of its longest edge
-Raw_points doubled(const SM::Mesh& mesh)
+Raw_shape doubled(const SM::Mesh& mesh)
 {
   SM::Mesh halves;
   halves.points = mesh.points;
@@ -125,12 +125,12 @@ Raw_points doubled(const SM::Mesh& mesh)
     halves.faces.push_back({f[0], m, f[2]});
     halves.faces.push_back({m, f[1], f[2]});
   }
-  const Raw_points whole = Shape_variants::read_raw(halves);
+  const Raw_shape whole = Shape_variants::read_raw(halves);
   return Shape_variants::kept_centroids(whole, std::vector<char>(halves.faces.size(), 1)).raw;
 }
 
 /// the elements of a mesh as they are segmented: faces, or their centroids without the mesh
-Raw_points read_elements(const SM::Mesh& mesh, const bool points_only)
+Raw_shape read_elements(const SM::Mesh& mesh, const bool points_only)
 {
   using Shape_variants::Variant;
   return Shape_variants::make_variant(mesh, points_only ? Variant::POINTS : Variant::MESH, 0).raw;

@@ -3,10 +3,10 @@
 
 // Draws a shape with its labels, in milliseconds: draw_labels SHAPE LABELS PICTURE.ppm
 
-#include "draw_parts.h"
+#include "report/draw_parts.h"
 
-#include "part_colors.h"
-#include "read_shape.h"
+#include "io/part_colors.h"
+#include "io/read_shape.h"
 
 #include <exception>
 #include <fstream>

@@ -15,12 +15,12 @@
 // which names a model and its table a line; with `samples` the pairs are then those on the trees' own
 // path instead of the default cost's.
 
-#include "named_parameters.h"
-#include "patch_scores.h"
-#include "saved_models.h"
+#include "common/set_parameter.h"
+#include "fit/patch_scores.h"
+#include "fit/saved_models.h"
 
-#include <CGAL/Weakly_convex_segmentation/internal/fitted_merging.h>
-#include <CGAL/Weakly_convex_segmentation/internal/pair_feature_names.h>
+#include "fit/pair_feature_names.h"
+#include <CGAL/Weakly_convex_segmentation/internal/merging/Learned_cost.h>
 
 #include <algorithm>
 #include <cmath>
@@ -268,7 +268,7 @@ void samples(const std::filesystem::path& folder, const std::filesystem::path& p
 std::vector<int> fitted_regions(Trial& trial, const Tree_table& table, const double threshold)
 {
   const auto trees = table.trees();
-  const WCS::internal::Fitted_cost cost(trial.features, trees);
+  const WCS::internal::Learned_cost cost(trial.features, trees);
   const WCS::internal::Contraction_log log{trial.tree, nullptr};
   WCS::internal::contract_up_to(
       trial.graph, [&](const int a, const int b) { return cost(a, b); }, threshold, log);

@@ -10,7 +10,7 @@
 // Without the last word the settings are those that were best on complete meshes. VOXEL and SEED are in
 // diagonals of the bounding box, TOLERANCE in degrees, SMOOTHNESS 0 or 1 (check it or not), K the k-factor.
 
-#include "pcl_alternatives.h"
+#include "baselines/pcl_baselines.h"
 
 #include <array>
 #include <ctime>
@@ -24,10 +24,10 @@
 
 namespace {
 
-Pcl_alternatives::Options read_settings(const std::string& words)
+Pcl_baselines::Options read_settings(const std::string& words)
 {
   std::istringstream in(words);
-  Pcl_alternatives::Options options{};
+  Pcl_baselines::Options options{};
   std::array<char, 4> slashes{};
   in >> options.voxel >> slashes[0] >> options.seed >> slashes[1] >> options.tolerance >>
       slashes[2] >> options.check_smoothness >> slashes[3] >> options.k_factor;
@@ -47,13 +47,13 @@ int main(int argc, char** argv)
       throw std::invalid_argument("give lccp or cpc, a file of points, a file for labels, and the "
                                   "smallest voxel; then settings, if any");
     const bool is_lccp = method == "lccp";
-    Pcl_alternatives::Options options =
-        is_lccp ? Pcl_alternatives::lccp_options : Pcl_alternatives::cpc_options;
+    Pcl_baselines::Options options =
+        is_lccp ? Pcl_baselines::lccp_options : Pcl_baselines::cpc_options;
     if (argc == 6) options = read_settings(argv[5]);
     std::ifstream in(argv[2]);
     if (!in) throw std::runtime_error("can't open " + std::string(argv[2]));
-    std::vector<Pcl_alternatives::Coordinates> points, normals;
-    Pcl_alternatives::Coordinates p, v;
+    std::vector<Pcl_baselines::Coordinates> points, normals;
+    Pcl_baselines::Coordinates p, v;
     while (in >> p[0] >> p[1] >> p[2] >> v[0] >> v[1] >> v[2])
     {
       points.push_back(p);
@@ -65,8 +65,8 @@ int main(int argc, char** argv)
     const double smallest_voxel = std::stod(argv[4]);
     const std::clock_t begin = std::clock();
     const std::vector<int> labels =
-        is_lccp ? Pcl_alternatives::segment_by_lccp(points, normals, smallest_voxel, options)
-                : Pcl_alternatives::segment_by_cpc(points, normals, smallest_voxel, options);
+        is_lccp ? Pcl_baselines::segment_by_lccp(points, normals, smallest_voxel, options)
+                : Pcl_baselines::segment_by_cpc(points, normals, smallest_voxel, options);
     std::cout << static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC << '\n';
     std::ofstream out(argv[3]);
     for (const int l : labels) out << l << '\n';

@@ -8,11 +8,11 @@
 // SHAPE is a mesh file or a shape of make_shapes, PRESET default, paper or fitted. All elements are faces,
 // numbered in input order; lengths are in units of the input.
 
-#include "named_parameters.h"
+#include "common/set_parameter.h"
 
-#include "atomic_file.h"
-#include "read_shape.h"
-#include "shape_generator.h"
+#include "io/atomic_file.h"
+#include "io/read_shape.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/property_map.h>
 #include <CGAL/weakly_convex_segmentation.h>

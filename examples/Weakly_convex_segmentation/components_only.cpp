@@ -3,7 +3,7 @@
 
 // Stops at the weakly convex components, before those of similar volume are merged.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/weakly_convex_segmentation.h>

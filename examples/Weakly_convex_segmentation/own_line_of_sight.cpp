@@ -3,7 +3,7 @@
 
 // Swaps the line of sight: triangles of the closed mesh are in the way, not disks, and lines are counted.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

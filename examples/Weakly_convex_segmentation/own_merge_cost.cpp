@@ -3,7 +3,7 @@
 
 // Plugs in a merge cost: regions belong together that see each other and whose seam is not concave.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>

@@ -4,7 +4,7 @@
 // Segments points that lie in a container of one's own: the elements are indices, and property maps
 // tell where the point and the normal of an index are and where its label goes.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/weakly_convex_segmentation.h>

@@ -3,7 +3,7 @@
 
 // Segments a surface mesh, from a file or generated, and keeps the labels in a property map.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

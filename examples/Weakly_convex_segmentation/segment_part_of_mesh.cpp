@@ -4,7 +4,7 @@
 // Segments only some faces of a mesh, by CGAL's Face_filtered_graph: one of the two objects in it. The
 // labels go to a map of the whole mesh, in which the other faces keep what they had.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

@@ -3,7 +3,7 @@
 
 // Segments a point set with normals, in parallel where TBB is linked.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>

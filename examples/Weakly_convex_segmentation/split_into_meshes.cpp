@@ -3,7 +3,7 @@
 
 // Cuts a mesh along the borders of its segments into several meshes.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

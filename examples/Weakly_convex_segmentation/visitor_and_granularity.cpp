@@ -3,7 +3,7 @@
 
 // Follows the stages with a visitor, then changes the granularity without running again.
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>

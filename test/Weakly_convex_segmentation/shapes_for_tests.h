@@ -4,10 +4,10 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_TEST_SHAPES_FOR_TESTS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_TEST_SHAPES_FOR_TESTS_H
 
-#include <CGAL/Weakly_convex_segmentation/internal/oriented_points.h>
-#include <CGAL/Weakly_convex_segmentation/internal/polygons.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/polygons.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
 
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@
 namespace Shapes_for_tests {
 
 using CGAL::Weakly_convex_segmentation::internal::Index;
-using CGAL::Weakly_convex_segmentation::internal::Raw_points;
+using CGAL::Weakly_convex_segmentation::internal::Raw_shape;
 using Coordinates = std::array<double, 3>;
 
 /// a number in [0, 1) that is the same with every standard library
@@ -38,16 +38,16 @@ inline Coordinates cross_product(const Coordinates& a, const Coordinates& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline void add_point(Raw_points& raw, const Coordinates& position, const Coordinates& normal)
+inline void add_point(Raw_shape& raw, const Coordinates& position, const Coordinates& normal)
 {
   raw.positions.push_back(position);
   raw.normals.push_back(normal);
 }
 
 /// one point a face, as the library reads a mesh, with links between faces that share an edge
-inline Raw_points points_of_mesh(const Shape_generator::Labeled_mesh& mesh)
+inline Raw_shape points_of_mesh(const Shape_generator::Labeled_mesh& mesh)
 {
-  Raw_points raw;
+  Raw_shape raw;
   std::map<std::pair<std::size_t, std::size_t>, Index> first_at_edge;
   for (const auto& f : mesh.faces)
   {
@@ -66,9 +66,9 @@ inline Raw_points points_of_mesh(const Shape_generator::Labeled_mesh& mesh)
 }
 
 /// the same with the corners of the faces
-inline Raw_points faces_of_mesh(const Shape_generator::Labeled_mesh& mesh)
+inline Raw_shape faces_of_mesh(const Shape_generator::Labeled_mesh& mesh)
 {
-  Raw_points raw;
+  Raw_shape raw;
   for (const auto& f : mesh.faces)
     CGAL::Weakly_convex_segmentation::internal::add_polygon(
         {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]}, raw);
@@ -89,9 +89,9 @@ inline Shape_generator::Labeled_mesh shaken(Shape_generator::Labeled_mesh mesh, 
 /// Points in rings about the x axis, as the faces of a turned part lie: pairs of rings 0.02 apart with
 /// 0.2 to the next pair, 120 points each. `radius`: that at an x from 0 to `length`.
 template <typename Radius>
-Raw_points rings(const double length, const Radius& radius)
+Raw_shape rings(const double length, const Radius& radius)
 {
-  Raw_points raw;
+  Raw_shape raw;
   const int pairs = static_cast<int>(length / 0.2);
   for (int ring = 0; ring < 2 * pairs; ++ring)
     for (int i = 0; i < 120; ++i)
@@ -105,7 +105,7 @@ Raw_points rings(const double length, const Radius& radius)
 }
 
 /// a rectangle of `columns` x `rows` points with one normal, `corner` + i * `u` + j * `v`
-inline void add_rectangle(Raw_points& raw, const Coordinates& corner, const Coordinates& u,
+inline void add_rectangle(Raw_shape& raw, const Coordinates& corner, const Coordinates& u,
                           const Coordinates& v, const int columns, const int rows,
                           const Coordinates& normal)
 {
@@ -114,7 +114,7 @@ inline void add_rectangle(Raw_points& raw, const Coordinates& corner, const Coor
 }
 
 /// points spread evenly over a sphere (a spiral) with outward normals
-inline void add_sphere(Raw_points& raw, const Coordinates& center, const double radius,
+inline void add_sphere(Raw_shape& raw, const Coordinates& center, const double radius,
                        const std::size_t count)
 {
   for (std::size_t i = 0; i < count; ++i)
@@ -129,9 +129,9 @@ inline void add_sphere(Raw_points& raw, const Coordinates& center, const double 
 /// Two walls at a right angle that share the edge x = z = 0: the floor x > 0 with its normal upwards,
 /// the wall z > 0 with its normal to +x (seen from there the edge is concave). `step` apart, across
 /// the edge too, `n` x `n` points each.
-inline Raw_points concave_corner(const int n, const double step)
+inline Raw_shape concave_corner(const int n, const double step)
 {
-  Raw_points raw;
+  Raw_shape raw;
   const double half = std::sqrt(0.5) * step;
   add_rectangle(raw, {half, 0., 0.}, {step, 0., 0.}, {0., step, 0.}, n, n, {0., 0., 1.});
   add_rectangle(raw, {0., 0., half}, {0., 0., step}, {0., step, 0.}, n, n, {1., 0., 0.});

@@ -7,10 +7,10 @@
 #define BOOST_TEST_MODULE Benchmark_tools
 #include <boost/test/included/unit_test.hpp>
 
-#include "draw_parts.h"
-#include "forked_run.h"
+#include "common/run_in_child_process.h"
+#include "report/draw_parts.h"
 #include "scratch_folder.h"
-#include "shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <nlohmann/json.hpp>
 
@@ -29,7 +29,7 @@
 
 namespace {
 
-using Forked_run::Labeling;
+using Run_in_child_process::Labeling;
 using Json = nlohmann::json;
 
 std::string program(const std::string& name)
@@ -82,7 +82,7 @@ std::string runner()
 
 BOOST_AUTO_TEST_CASE(a_method_in_a_child_gives_labels)
 {
-  const auto outcome = Forked_run::run(
+  const auto outcome = Run_in_child_process::run(
       [] {
         return std::vector<Labeling>{{"a", {1, 2, 3}, 0.5}, {"b", {}, 0.}};
       },
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(memory_of_a_child_is_measured)
 {
   const auto peak = [](const std::size_t megabytes)
   {
-    return Forked_run::run(
+    return Run_in_child_process::run(
                [&]
                {
                  const std::vector<int> memory(megabytes << 18, 1);
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(what_happens_to_a_child_is_told)
   using Labelings = std::vector<Labeling>;
   const auto failure = [](const std::function<Labelings()>& method)
   {
-    const auto outcome = Forked_run::run(method, 1);
+    const auto outcome = Run_in_child_process::run(method, 1);
     BOOST_TEST(outcome.labelings.empty());
     return outcome.failure;
   };

@@ -4,7 +4,7 @@
 #define BOOST_TEST_MODULE Borders
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/alpha_expansion_refinement.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 
 #include <CGAL/boost/graph/alpha_expansion_graphcut.h>
 
@@ -31,11 +31,11 @@ using namespace Shapes_for_tests;
 
 struct Surface
 {
-  Raw_points raw;
+  Raw_shape raw;
   Oriented_points points;
   Neighbor_graph graph;
 
-  explicit Surface(const Raw_points& r, const std::size_t neighbors = 10)
+  explicit Surface(const Raw_shape& r, const std::size_t neighbors = 10)
     : raw(r), points(orient_points(raw)), graph(build_neighbor_graph(points, neighbors, false))
   {}
   /// labels of the points from a function of the input's position
@@ -50,7 +50,7 @@ struct Surface
 
 Surface plane(const int n)
 {
-  Raw_points raw;
+  Raw_shape raw;
   add_rectangle(raw, {0., 0., 0.}, {1. / n, 0., 0.}, {0., 1. / n, 0.}, n, n, {0., 0., 1.});
   return Surface(raw);
 }
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(a_border_out_of_reach_of_the_edge_stays_off_it)
 
 BOOST_AUTO_TEST_CASE(borders_come_to_a_neck_from_beyond_the_band)
 {
-  Raw_points raw; // two cones that meet in a narrow neck
+  Raw_shape raw; // two cones that meet in a narrow neck
   constexpr int rings = 80;
   for (int i = 0; i < rings; ++i)
   {
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(no_refinement_moves_nothing)
 
 BOOST_AUTO_TEST_CASE(islands_go_and_isolated_pieces_stay)
 {
-  Raw_points raw = plane(60).raw;
+  Raw_shape raw = plane(60).raw;
   add_rectangle(raw, {9., 0., 0.}, {0.02, 0., 0.}, {0., 0.02, 0.}, 4, 3, {0., 0., 1.}); // apart
   const Surface surface(raw);
   const auto clean =
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(islands_go_and_isolated_pieces_stay)
 
 BOOST_AUTO_TEST_CASE(equal_points_on_both_sides_of_a_border_are_no_trouble)
 {
-  Raw_points raw = plane(20).raw; // each point twice, one of them on either side
+  Raw_shape raw = plane(20).raw; // each point twice, one of them on either side
   const std::size_t half = raw.positions.size();
   for (std::size_t i = 0; i < half; ++i) add_point(raw, raw.positions[i], raw.normals[i]);
   const Surface surface(raw);

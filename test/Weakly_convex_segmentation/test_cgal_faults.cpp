@@ -17,7 +17,7 @@
 
 #include "child_process.h"
 #include "counted_memory.h"
-#include "read_shape.h"
+#include "io/read_shape.h"
 #include "scratch_folder.h"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #define BOOST_TEST_MODULE Cost_merging
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/cost_merging.h>
+#include <CGAL/Weakly_convex_segmentation/internal/merging/Region_cost.h>
 
 #include "shapes_for_tests.h"
 
@@ -32,7 +32,7 @@ constexpr double no_limit = (std::numeric_limits<double>::max)();
 /// Points on tubes, with the region of each.
 struct Tubes
 {
-  Raw_points raw;
+  Raw_shape raw;
   std::vector<int> regions;
 
   /// adds a straight tube in the plane z = 0 from a point in a direction (degrees), as a region; its
@@ -92,13 +92,13 @@ struct Laid_regions
   Oriented_points points;
   Neighbor_graph graph;
   Patches patches;
-  std::unique_ptr<Sight> sight;
+  std::unique_ptr<Line_of_sight_query> sight;
   std::unique_ptr<Patch_visibility> visibility;
   std::vector<Diameter_sample> samples;
   Histogram_scale scale;
   std::unique_ptr<Region_graph> regions;
 
-  Laid_regions(const Raw_points& raw, const std::vector<int>& region_of_element)
+  Laid_regions(const Raw_shape& raw, const std::vector<int>& region_of_element)
     : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false))
   {
     patches.members.resize(static_cast<std::size_t>(*std::max_element(region_of_element.begin(),
@@ -109,7 +109,7 @@ struct Laid_regions
       patches.of_point.push_back(region_of_element[points.elements[i]]);
       patches.members[static_cast<std::size_t>(patches.of_point.back())].push_back(i);
     }
-    sight = std::make_unique<Sight>(points, graph, parameters);
+    sight = std::make_unique<Line_of_sight_query>(points, graph, parameters);
     visibility = std::make_unique<Patch_visibility>(*sight, patches, parameters, false);
     samples = shape_diameters(*sight, parameters, false);
     regions = std::make_unique<Region_graph>(points, graph, patches, *visibility, parameters);

@@ -113,10 +113,10 @@ void damage(Soup& soup, const unsigned int kind, std::mt19937& random)
       soup.points.emplace_back(uniform(random), uniform(random), uniform(random));
 }
 
-Raw_points cloud(const std::string& name, const std::size_t count)
+Raw_shape cloud(const std::string& name, const std::size_t count)
 {
   const auto points = Shape_generator::make_cloud(name, count);
-  Raw_points raw;
+  Raw_shape raw;
   for (std::size_t i = 0; i < points.points.size(); ++i)
     add_point(raw, points.points[i], points.normals[i]);
   return raw;
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(inward_normals_of_closed_clouds_are_turned)
 {
   for (const char* name : {"hand", "dumbbell"})
   {
-    Raw_points raw = cloud(name, 3000);
+    Raw_shape raw = cloud(name, 3000);
     const Result usual = WCS::internal::segment_points(raw, {}, {});
     BOOST_CHECK(!usual.has_flipped_normals);
     for (auto& n : raw.normals) n = {-n[0], -n[1], -n[2]};
@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(inward_normals_of_closed_clouds_are_turned)
     BOOST_CHECK(turned.has_flipped_normals);
     BOOST_CHECK_LT(rand_distance(turned.labels, usual.labels), 0.02);
   }
-  Raw_points bowl; // seen from within: not closed, stays as it is
+  Raw_shape bowl; // seen from within: not closed, stays as it is
   add_sphere(bowl, {0., 0., 0.}, 1., 2000);
   bowl.positions.resize(1000);
   bowl.normals.resize(1000);
@@ -269,10 +269,10 @@ BOOST_AUTO_TEST_CASE(inward_normals_of_closed_clouds_are_turned)
 
 BOOST_AUTO_TEST_CASE(estimated_normals_of_all_pieces_point_outwards)
 {
-  Raw_points balls;
+  Raw_shape balls;
   const std::size_t n = 400;
   for (int i = 0; i < 5; ++i) add_sphere(balls, {4. * i, 0.1 * i, 0.2 * i}, 1., n);
-  Raw_points bare = balls;
+  Raw_shape bare = balls;
   bare.normals.clear();
   WCS::internal::estimate_normals(bare, {});
   for (std::size_t i = 0; i < balls.positions.size(); ++i)
@@ -286,9 +286,9 @@ BOOST_AUTO_TEST_CASE(estimated_normals_of_all_pieces_point_outwards)
 BOOST_AUTO_TEST_CASE(long_faces_get_more_points)
 {
   const Soup soup = bar(40);
-  WCS::internal::Raw_points raw = WCS::internal::read_soup(soup.points, soup.polygons,
-                                                           CGAL::Identity_property_map<Point>()),
-                            sampled;
+  WCS::internal::Raw_shape raw = WCS::internal::read_soup(soup.points, soup.polygons,
+                                                          CGAL::Identity_property_map<Point>()),
+                           sampled;
   BOOST_REQUIRE(WCS::internal::sample_faces(raw, Parameters(), sampled));
   BOOST_CHECK_GT(sampled.positions.size(), raw.positions.size() + 200);
   std::vector<std::size_t> points(raw.positions.size(), 0);

@@ -4,7 +4,7 @@
 #define BOOST_TEST_MODULE Estimated normals
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/estimate_normals.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/estimate_normals.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/mst_orient_normals.h>
@@ -36,10 +36,10 @@ using namespace Shapes_for_tests;
 const std::array<Normal_orientation, 2> orientations = {Normal_orientation::PROPAGATION,
                                                         Normal_orientation::MST};
 
-Raw_points cloud(const std::string& name, const std::size_t size)
+Raw_shape cloud(const std::string& name, const std::size_t size)
 {
   const auto made = Shape_generator::make_cloud(name, size, 1);
-  Raw_points raw;
+  Raw_shape raw;
   for (std::size_t i = 0; i < size; ++i)
     add_point(raw, {made.points[i][0], made.points[i][1], made.points[i][2]},
               {made.normals[i][0], made.normals[i][1], made.normals[i][2]});
@@ -47,10 +47,10 @@ Raw_points cloud(const std::string& name, const std::size_t size)
 }
 
 std::vector<Coordinates>
-estimated(const Raw_points& raw, const Run_control& control = {},
+estimated(const Raw_shape& raw, const Run_control& control = {},
           const Normal_orientation orientation = Normal_orientation::PROPAGATION)
 {
-  Raw_points bare;
+  Raw_shape bare;
   bare.positions = raw.positions;
   estimate_normals(bare, control, orientation);
   BOOST_REQUIRE(bare.normals.size() == raw.positions.size());
@@ -63,7 +63,7 @@ double product(const Coordinates& a, const Coordinates& b)
 }
 
 /// the share of the normals that point to the side that they should
-double share_of_right(const Raw_points& raw,
+double share_of_right(const Raw_shape& raw,
                       const Normal_orientation orientation = Normal_orientation::PROPAGATION)
 {
   const std::vector<Coordinates> normals = estimated(raw, {}, orientation);
@@ -74,7 +74,7 @@ double share_of_right(const Raw_points& raw,
 }
 
 /// `size`: of the largest change of a coordinate
-Raw_points with_noise(Raw_points raw, const double size)
+Raw_shape with_noise(Raw_shape raw, const double size)
 {
   std::mt19937 random(2);
   for (auto& p : raw.positions)
@@ -82,17 +82,17 @@ Raw_points with_noise(Raw_points raw, const double size)
   return raw;
 }
 
-double extent(const Raw_points& raw)
+double extent(const Raw_shape& raw)
 {
   const Bounding_cube cube = bounding_cube(raw.positions);
   return cube.side;
 }
 
 /// without what lies in balls about some points
-Raw_points with_holes(const Raw_points& raw)
+Raw_shape with_holes(const Raw_shape& raw)
 {
   const double radius = 0.1 * extent(raw);
-  Raw_points result;
+  Raw_shape result;
   for (std::size_t i = 0; i < raw.positions.size(); ++i)
   {
     bool is_in_hole = false;
@@ -106,16 +106,16 @@ Raw_points with_holes(const Raw_points& raw)
   return result;
 }
 
-Raw_points permuted(const Raw_points& raw, const std::vector<std::size_t>& order)
+Raw_shape permuted(const Raw_shape& raw, const std::vector<std::size_t>& order)
 {
-  Raw_points result;
+  Raw_shape result;
   for (const std::size_t i : order) add_point(result, raw.positions[i], raw.normals[i]);
   return result;
 }
 
 void check_order_and_threads(const Normal_orientation orientation)
 {
-  const Raw_points raw = cloud("figure", 5000);
+  const Raw_shape raw = cloud("figure", 5000);
   const std::vector<Coordinates> usual = estimated(raw, {}, orientation);
   std::vector<std::size_t> order(raw.positions.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -140,7 +140,7 @@ void check_few_and_degenerate(const Normal_orientation orientation)
 {
   for (std::size_t n = 0; n < 20; ++n)
   {
-    Raw_points line, place;
+    Raw_shape line, place;
     for (std::size_t i = 0; i < n; ++i)
     {
       add_point(line, {static_cast<double>(i * i), 0., 0.}, {});
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(normals_of_made_shapes_point_outwards)
                            "box", "torus", "pliers"})
     BOOST_TEST_CONTEXT(name)
     {
-      const Raw_points raw = cloud(name, 4000);
+      const Raw_shape raw = cloud(name, 4000);
       BOOST_CHECK_GT(share_of_right(raw), 0.99);
       BOOST_CHECK_GT(share_of_right(with_holes(raw)), 0.95);
       BOOST_CHECK_GT(share_of_right(with_noise(raw, 0.003 * extent(raw))), 0.97);
@@ -175,9 +175,9 @@ BOOST_AUTO_TEST_CASE(normals_of_made_shapes_point_outwards)
 
 BOOST_AUTO_TEST_CASE(each_piece_has_its_own_outside)
 {
-  Raw_points raw = cloud("chair", 4000);
+  Raw_shape raw = cloud("chair", 4000);
   const double step = 2. * extent(raw);
-  const Raw_points other = cloud("torus", 3000);
+  const Raw_shape other = cloud("torus", 3000);
   for (std::size_t i = 0; i < other.positions.size(); ++i)
     add_point(raw, plus(other.positions[i], {1., 0.3, -0.2}, step), other.normals[i]);
   BOOST_CHECK_GT(share_of_right(raw), 0.99);
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(each_piece_has_its_own_outside)
 
 BOOST_AUTO_TEST_CASE(what_has_no_inside_looks_upwards)
 {
-  Raw_points sheet;
+  Raw_shape sheet;
   add_rectangle(sheet, {0., 0., 0.}, {1., 0., 0.2}, {0., 1., 0.1}, 20, 20, {-0.2, -0.1, 1.});
   BOOST_CHECK_EQUAL(share_of_right(sheet), 1.);
 }
@@ -196,8 +196,8 @@ BOOST_AUTO_TEST_CASE(a_view_of_one_side_points_to_it)
   for (const char* name : {"figure", "dumbbell", "hand", "pliers", "glasses"})
     BOOST_TEST_CONTEXT(name)
     {
-      const Raw_points raw = cloud(name, 4000);
-      Raw_points seen;
+      const Raw_shape raw = cloud(name, 4000);
+      Raw_shape seen;
       for (std::size_t i = 0; i < raw.positions.size(); ++i)
         if (product(raw.normals[i], to_camera) > 0.1)
           add_point(seen, raw.positions[i], raw.normals[i]);
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(the_order_and_threads_change_nothing)
 // It is the quality of the fit that is tested: within 5 degrees on a sphere.
 BOOST_AUTO_TEST_CASE(planes_fit)
 {
-  Raw_points raw;
+  Raw_shape raw;
   add_sphere(raw, {3., 2., 1.}, 2., 3000);
   const std::vector<Coordinates> normals = estimated(raw);
   for (std::size_t i = 0; i < normals.size(); ++i)
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(the_normal_and_roughness_of_five_points_are_known)
 
 BOOST_AUTO_TEST_CASE(what_is_flat_has_no_roughness)
 {
-  Raw_points sheet;
+  Raw_shape sheet;
   add_rectangle(sheet, {7., 0., 0.}, {1., 0., 0.2}, {0., 1., 0.1}, 20, 20, {-0.2, -0.1, 1.});
   const std::vector<Coordinates> normals = estimated(sheet);
   for (const Coordinates& n : normals)
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(orientation_by_a_spanning_tree_is_that_of_cgal)
   using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
   for (const char* name : {"torus", "figure"}) BOOST_TEST_CONTEXT(name)
     {
-      const Raw_points raw = cloud(name, 4000);
+      const Raw_shape raw = cloud(name, 4000);
       const std::vector<Coordinates> ours = estimated(raw, {}, Normal_orientation::MST);
       std::map<Coordinates, std::size_t> index;
       std::vector<Oriented> theirs;
@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(orientation_by_a_spanning_tree_is_that_of_cgal)
 // CGAL does not reach the second piece; it has its own outside nonetheless.
 BOOST_AUTO_TEST_CASE(what_a_spanning_tree_does_not_reach_is_propagated)
 {
-  Raw_points raw;
+  Raw_shape raw;
   add_sphere(raw, {0., 0., 0.}, 1., 1000);
   add_sphere(raw, {0., 0., 5.}, 1., 1000);
   add_sphere(raw, {0., 0., -5.}, 0.5, 1000);
@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(few_and_degenerate_points)
 // More points in one place than neighbors are looked at: they are a piece of their own, without normals.
 BOOST_AUTO_TEST_CASE(heaps_of_equal_points_harm_nobody)
 {
-  Raw_points raw = cloud("dumbbell", 2000);
+  Raw_shape raw = cloud("dumbbell", 2000);
   for (int i = 0; i < 100; ++i) add_point(raw, raw.positions[0], raw.normals[0]);
   const std::vector<Coordinates> normals = estimated(raw);
   std::size_t right = 0;
@@ -315,7 +315,7 @@ BOOST_AUTO_TEST_CASE(heaps_of_equal_points_harm_nobody)
 // As if a tenth of a second had passed at each question: all steps ask, and each can be the last.
 BOOST_AUTO_TEST_CASE(every_step_can_be_interrupted)
 {
-  const Raw_points raw = cloud("box", 6000);
+  const Raw_shape raw = cloud("box", 6000);
   std::size_t questions = 0, last = 0;
   Run_control control;
   control.callback = [&](double)

@@ -6,9 +6,9 @@
 #define BOOST_TEST_MODULE Formats
 #include <boost/test/included/unit_test.hpp>
 
+#include "io/shape_io.h"
 #include "pcd_files.h"
 #include "scratch_folder.h"
-#include "shape_io.h"
 
 #include <cmath>
 #include <cstddef>

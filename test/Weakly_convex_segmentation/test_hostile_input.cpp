@@ -36,7 +36,7 @@ using Polygon = std::vector<std::size_t>;
 const std::vector<Parameters> presets = {Parameters(), Parameters::paper(), Parameters::fitted()};
 
 /// segments with all presets; all points get a label
-void check_all_labeled(const Raw_points& raw, const std::string& what)
+void check_all_labeled(const Raw_shape& raw, const std::string& what)
 {
   BOOST_TEST_CONTEXT(what)
   {
@@ -45,17 +45,17 @@ void check_all_labeled(const Raw_points& raw, const std::string& what)
   }
 }
 
-void check_refused(const Raw_points& raw)
+void check_refused(const Raw_shape& raw)
 {
   for (const Parameters& preset : presets)
     BOOST_CHECK_THROW(WCS::internal::segment_points(raw, preset, {}), std::invalid_argument);
 }
 
 /// random points in a box with random normals
-Raw_points random_points(const std::size_t count, const Coordinates& size, const unsigned int seed)
+Raw_shape random_points(const std::size_t count, const Coordinates& size, const unsigned int seed)
 {
   std::mt19937 random(seed);
-  Raw_points raw;
+  Raw_shape raw;
   const auto number = [&] { return 2. * uniform(random) - 1.; };
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -66,18 +66,18 @@ Raw_points random_points(const std::size_t count, const Coordinates& size, const
   return raw;
 }
 
-Raw_points repeated(const Raw_points& few, const std::size_t count)
+Raw_shape repeated(const Raw_shape& few, const std::size_t count)
 {
-  Raw_points raw;
+  Raw_shape raw;
   for (std::size_t i = 0; i < count; ++i)
     add_point(raw, few.positions[i % few.positions.size()], few.normals[i % few.normals.size()]);
   return raw;
 }
 
 /// two balls that grow into each other
-Raw_points two_balls(const double scale, const double offset)
+Raw_shape two_balls(const double scale, const double offset)
 {
-  Raw_points balls, raw;
+  Raw_shape balls, raw;
   add_sphere(balls, {-0.9, 0., 0.}, 1., 900);
   add_sphere(balls, {0.9, 0., 0.}, 1., 900);
   for (std::size_t i = 0; i < balls.positions.size(); ++i)
@@ -90,7 +90,7 @@ Raw_points two_balls(const double scale, const double offset)
   return raw;
 }
 
-std::vector<Point> points_of(const Raw_points& raw)
+std::vector<Point> points_of(const Raw_shape& raw)
 {
   std::vector<Point> points;
   for (const auto& p : raw.positions) points.emplace_back(p[0], p[1], p[2]);
@@ -120,7 +120,7 @@ struct No_map
 
 BOOST_AUTO_TEST_CASE(few_points)
 {
-  check_refused(Raw_points());
+  check_refused(Raw_shape());
   for (const std::size_t n : {1u, 2u, 3u, 4u, 5u, 10u, 11u, 12u, 30u})
   {
     check_all_labeled(random_points(n, {1., 1., 1.}, 1), std::to_string(n) + " points");
@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(few_points)
 
 BOOST_AUTO_TEST_CASE(equal_points)
 {
-  const Raw_points one = random_points(1, {1., 1., 1.}, 2),
-                   seven = random_points(7, {1., 1., 1.}, 2);
+  const Raw_shape one = random_points(1, {1., 1., 1.}, 2),
+                  seven = random_points(7, {1., 1., 1.}, 2);
   for (const std::size_t n : {2u, 15u, 500u})
   {
     check_all_labeled(repeated(one, n), "equal points");
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(equal_points)
     check_result(CGAL::weakly_convex_segmentation(points_of(repeated(one, n)), No_map()), n);
     check_result(CGAL::weakly_convex_segmentation(points_of(repeated(seven, n)), No_map()), n);
   }
-  const Raw_points many = repeated(seven, 30000); // these are thinned
+  const Raw_shape many = repeated(seven, 30000); // these are thinned
   const Result result = WCS::internal::segment_points(many, Parameters(), {});
   check_result(result, 30000);
   for (std::size_t i = 7; i < 30000; ++i)
@@ -152,10 +152,10 @@ BOOST_AUTO_TEST_CASE(lines_planes_and_noise)
   for (const Coordinates& size :
        {Coordinates{1., 0., 0.}, {1., 1., 0.}, {1., 1., 1.}, {1., 1e-9, 1e-9}})
   {
-    const Raw_points raw = random_points(600, size, 3);
+    const Raw_shape raw = random_points(600, size, 3);
     check_all_labeled(raw, "random normals");
     check_result(CGAL::weakly_convex_segmentation(points_of(raw), No_map()), 600);
-    Raw_points up = raw;
+    Raw_shape up = raw;
     for (auto& n : up.normals) n = {0., 0., 1.};
     check_all_labeled(up, "equal normals");
     for (auto& n : up.normals) n = {0., 0., 0.};
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(lines_planes_and_noise)
 
 BOOST_AUTO_TEST_CASE(flipped_normals)
 {
-  Raw_points raw = two_balls(1., 0.);
+  Raw_shape raw = two_balls(1., 0.);
   for (auto& n : raw.normals) n = {-n[0], -n[1], -n[2]};
   check_all_labeled(raw, "all flipped");
   for (std::size_t i = 0; i < raw.normals.size(); i += 2)
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(extreme_coordinates)
   check_all_labeled(two_balls(1e-310, 0.), "denormal numbers");
   check_all_labeled(two_balls(1e-320, 0.), "hardly any bits");
   check_refused(two_balls(1e308, 0.)); // its extent overflows
-  Raw_points outlier = two_balls(1., 0.);
+  Raw_shape outlier = two_balls(1., 0.);
   add_point(outlier, {1e6, 0., 0.}, {1., 0., 0.});
   check_all_labeled(outlier, "an outlier");
 }
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite)
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
         -std::numeric_limits<double>::infinity()})
   {
-    Raw_points raw = two_balls(1., 0.);
+    Raw_shape raw = two_balls(1., 0.);
     raw.positions[3][0] = bad;
     check_refused(raw);
     BOOST_CHECK_THROW(CGAL::weakly_convex_segmentation(points_of(raw), No_map()),
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(thousands_of_pieces)
         {{v, v + 2, v + 1}, {v, v + 1, v + 3}, {v, v + 3, v + 2}, {v + 1, v + 2, v + 3}});
   }
   segment_soup(points, polygons);
-  Raw_points spheres; // of more points than a point has neighbors
+  Raw_shape spheres; // of more points than a point has neighbors
   for (int i = 0; i < 1500; ++i)
     add_sphere(spheres, {1. * (i % 12), 1. * (i / 12 % 12), 1. * (i / 144)}, 0.02, 12);
   for (Parameters preset : presets)
@@ -340,7 +340,7 @@ BOOST_AUTO_TEST_CASE(thousands_of_pieces)
 
 BOOST_AUTO_TEST_CASE(extreme_parameters)
 {
-  const Raw_points raw = two_balls(1., 0.);
+  const Raw_shape raw = two_balls(1., 0.);
   std::mt19937 random(4);
   const auto pick = [&](const std::vector<double>& values)
   { return values[random() % values.size()]; };

@@ -4,9 +4,9 @@
 #define BOOST_TEST_MODULE Input_stages
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
-#include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/downsampling.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
 
 #include "shapes_for_tests.h"
 
@@ -30,11 +30,11 @@ namespace {
 using namespace CGAL::Weakly_convex_segmentation::internal;
 using namespace Shapes_for_tests;
 
-Raw_points random_points(const std::size_t count, const unsigned int seed)
+Raw_shape random_points(const std::size_t count, const unsigned int seed)
 {
   std::mt19937 random(seed);
   const auto coordinate = [&random] { return 2. * uniform(random) - 1.; };
-  Raw_points raw;
+  Raw_shape raw;
   for (std::size_t i = 0; i < count; ++i)
     add_point(raw, {3. * coordinate(), coordinate(), coordinate()},
               {coordinate(), coordinate(), 1.1});
@@ -60,7 +60,7 @@ double largest_difference(const Oriented_points& a, const Oriented_points& b)
   return static_cast<double>(largest);
 }
 
-std::string message_of_refusal(const Raw_points& raw)
+std::string message_of_refusal(const Raw_shape& raw)
 {
   try
   {
@@ -74,9 +74,9 @@ std::string message_of_refusal(const Raw_points& raw)
 }
 
 /// a plate of two sheets, `thickness` apart, with outward normals
-Raw_points thin_plate(const int n, const double thickness)
+Raw_shape thin_plate(const int n, const double thickness)
 {
-  Raw_points raw;
+  Raw_shape raw;
   const double step = 1. / n;
   add_rectangle(raw, {0., 0., 0.}, {step, 0., 0.}, {0., step, 0.}, n, n, {0., 0., -1.});
   add_rectangle(raw, {0., 0., thickness}, {step, 0., 0.}, {0., step, 0.}, n, n, {0., 0., 1.});
@@ -115,7 +115,7 @@ bool is_well_formed(const Neighbor_graph& graph)
 
 BOOST_AUTO_TEST_CASE(frame_has_the_centroid_at_0_and_extent_1)
 {
-  const Raw_points raw = random_points(500, 1);
+  const Raw_shape raw = random_points(500, 1);
   const Oriented_points points = orient_points(raw);
   BOOST_REQUIRE_EQUAL(points.size(), 500u);
   Vector3 sum;
@@ -141,15 +141,15 @@ BOOST_AUTO_TEST_CASE(frame_has_the_centroid_at_0_and_extent_1)
 
 BOOST_AUTO_TEST_CASE(frame_does_not_change_with_place_scale_or_order)
 {
-  const Raw_points raw = random_points(400, 2);
+  const Raw_shape raw = random_points(400, 2);
   const Oriented_points points = orient_points(raw);
-  Raw_points moved = raw;
+  Raw_shape moved = raw;
   for (auto& p : moved.positions) p = {p[0] + 1000., p[1] - 300., p[2] + 77.};
   BOOST_CHECK_SMALL(largest_difference(points, orient_points(moved)), 1e-6);
   BOOST_CHECK_CLOSE(orient_points(moved).extent, points.extent, 1e-9);
   for (const double factor : {1e-310, 1e-9, 1e9})
   {
-    Raw_points scaled = raw;
+    Raw_shape scaled = raw;
     for (auto& p : scaled.positions) p = {factor * p[0], factor * p[1], factor * p[2]};
     for (auto& n : scaled.normals) n = {factor * n[0], factor * n[1], factor * n[2]};
     BOOST_CHECK_SMALL(largest_difference(points, orient_points(scaled)), 1e-6);
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(frame_does_not_change_with_place_scale_or_order)
     BOOST_CHECK(orient_points(scaled).elements == points.elements);
   }
   // points in another order come out in the same order
-  Raw_points reversed = raw;
+  Raw_shape reversed = raw;
   std::reverse(reversed.positions.begin(), reversed.positions.end());
   std::reverse(reversed.normals.begin(), reversed.normals.end());
   const Oriented_points again = orient_points(reversed);
@@ -170,9 +170,9 @@ BOOST_AUTO_TEST_CASE(frame_does_not_change_with_place_scale_or_order)
 
 BOOST_AUTO_TEST_CASE(a_frame_along_the_axes_turns_with_the_points)
 {
-  const Raw_points raw = random_points(400, 2);
+  const Raw_shape raw = random_points(400, 2);
   const Oriented_points points = orient_points(raw, false, {}, true);
-  Raw_points moved = raw;
+  Raw_shape moved = raw;
   for (auto* vectors : {&moved.positions, &moved.normals})
     for (auto& v : *vectors)
       v = {-0.48 * v[0] - 0.64 * v[1] + 0.6 * v[2], 0.8 * v[0] - 0.6 * v[1],
@@ -196,16 +196,16 @@ BOOST_AUTO_TEST_CASE(a_frame_along_the_axes_turns_with_the_points)
 
 BOOST_AUTO_TEST_CASE(a_frame_along_the_axes_is_the_same_in_any_order)
 {
-  Raw_points raw = random_points(5000, 12);
-  const Frame frame = principal_frame(raw.positions, false);
+  Raw_shape raw = random_points(5000, 12);
+  const Frame frame = pca_frame(raw.positions, false);
   std::reverse(raw.positions.begin(), raw.positions.end());
-  const Frame again = principal_frame(raw.positions, false);
+  const Frame again = pca_frame(raw.positions, false);
   for (std::size_t k = 0; k < 3; ++k)
     for (int c = 0; c < 3; ++c) BOOST_CHECK_EQUAL(frame.axes[k][c], again.axes[k][c]);
   // points that span no space have some frame as well
   for (const Coordinates& direction : {Coordinates{0., 0., 0.}, {1., 1., 0.}})
   {
-    const Frame flat = principal_frame({{1., 2., 3.}, plus({1., 2., 3.}, direction)}, false);
+    const Frame flat = pca_frame({{1., 2., 3.}, plus({1., 2., 3.}, direction)}, false);
     for (const Double3& axis : flat.axes) BOOST_CHECK_CLOSE(length(axis), 1., 1e-9);
   }
 }
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(sums_are_the_same_in_any_order)
 
 BOOST_AUTO_TEST_CASE(duplicates_stay_and_links_are_renamed)
 {
-  Raw_points raw = random_points(50, 3);
+  Raw_shape raw = random_points(50, 3);
   for (std::size_t i = 0; i < 50; ++i) add_point(raw, raw.positions[i], raw.normals[i]);
   raw.links = {{0, 60}, {60, 0}, {5, 5}, {99, 1}};
   const Oriented_points points = orient_points(raw);
@@ -246,19 +246,19 @@ BOOST_AUTO_TEST_CASE(duplicates_stay_and_links_are_renamed)
 BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name)
 {
   BOOST_CHECK(message_of_refusal(random_points(5, 4)).empty());
-  BOOST_CHECK(message_of_refusal(Raw_points()).find("no points") != std::string::npos);
+  BOOST_CHECK(message_of_refusal(Raw_shape()).find("no points") != std::string::npos);
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
         -std::numeric_limits<double>::infinity()})
   {
-    Raw_points raw = random_points(200, 4);
+    Raw_shape raw = random_points(200, 4);
     raw.positions[137][1] = bad;
     BOOST_CHECK(message_of_refusal(raw).find("position of element 137 ") != std::string::npos);
     raw = random_points(200, 4);
     raw.normals[58][2] = bad;
     BOOST_CHECK(message_of_refusal(raw).find("normal of element 58 ") != std::string::npos);
   }
-  Raw_points huge = random_points(20, 4);
+  Raw_shape huge = random_points(20, 4);
   huge.positions[0] = {1.5e308, 0., 0.};
   huge.positions[1] = {-1.5e308, 0., 0.};
   BOOST_CHECK(message_of_refusal(huge).find("overflow") != std::string::npos);
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name)
 BOOST_AUTO_TEST_CASE(few_points_are_their_own_representatives)
 {
   const Oriented_points points = orient_points(random_points(300, 5));
-  const Representatives all = choose_representatives(points, 300);
+  const Representatives all = downsample(points, 300);
   BOOST_CHECK(all.of_point.empty());
   BOOST_CHECK_EQUAL(all.points.size(), 300u);
   BOOST_CHECK(all.points.elements == points.elements);
@@ -275,12 +275,12 @@ BOOST_AUTO_TEST_CASE(few_points_are_their_own_representatives)
 
 BOOST_AUTO_TEST_CASE(representatives_are_about_as_many_as_wanted_and_near_their_points)
 {
-  Raw_points raw;
+  Raw_shape raw;
   add_sphere(raw, {0., 0., 0.}, 1., 60000);
   const Oriented_points points = orient_points(raw);
   for (const std::size_t wanted : {1000u, 3000u, 8000u, 20000u})
   {
-    const Representatives chosen = choose_representatives(points, wanted);
+    const Representatives chosen = downsample(points, wanted);
     BOOST_CHECK_GT(chosen.points.size(), wanted / 2);
     BOOST_CHECK_LT(chosen.points.size(), 2 * wanted);
     BOOST_REQUIRE_EQUAL(chosen.of_point.size(), points.size());
@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(representatives_are_about_as_many_as_wanted_and_near_their_
 BOOST_AUTO_TEST_CASE(both_sides_of_a_thin_plate_survive_thinning)
 {
   const Oriented_points points = orient_points(thin_plate(150, 1e-4));
-  const Representatives chosen = choose_representatives(points, 2000);
+  const Representatives chosen = downsample(points, 2000);
   BOOST_CHECK_LT(chosen.points.size(), 6000u);
   std::size_t up = 0;
   for (const Vector3& n : chosen.points.normals)
@@ -321,21 +321,21 @@ BOOST_AUTO_TEST_CASE(both_sides_of_a_thin_plate_survive_thinning)
 
 BOOST_AUTO_TEST_CASE(points_without_normals_are_thinned_too)
 {
-  Raw_points raw = random_points(50000, 6);
+  Raw_shape raw = random_points(50000, 6);
   for (auto& n : raw.normals) n = {0., 0., 0.};
-  const Representatives chosen = choose_representatives(orient_points(raw), 1000);
+  const Representatives chosen = downsample(orient_points(raw), 1000);
   BOOST_CHECK_LT(chosen.points.size(), 3000u);
 }
 
 BOOST_AUTO_TEST_CASE(heaps_of_duplicates_and_far_outliers_do_not_collapse)
 {
   // 40000 points at 60 places: each place keeps a representative of its own
-  const Raw_points places = random_points(60, 7);
-  Raw_points raw;
+  const Raw_shape places = random_points(60, 7);
+  Raw_shape raw;
   for (std::size_t i = 0; i < 40000; ++i)
     add_point(raw, places.positions[i % 60], places.normals[i % 60]);
   const Oriented_points points = orient_points(raw);
-  const Representatives chosen = choose_representatives(points, 5000);
+  const Representatives chosen = downsample(points, 5000);
   float farthest = 0.f;
   for (std::size_t i = 0; i < points.size(); ++i)
     farthest = (std::max)(
@@ -344,11 +344,11 @@ BOOST_AUTO_TEST_CASE(heaps_of_duplicates_and_far_outliers_do_not_collapse)
   BOOST_CHECK_LT(farthest, 1e-4f);
 
   // an outlier a million times as far away stays on its own
-  Raw_points ball;
+  Raw_shape ball;
   add_sphere(ball, {0., 0., 0.}, 1., 30000);
   add_point(ball, {1e6, 0., 0.}, {1., 0., 0.});
   const Oriented_points with_outlier = orient_points(ball);
-  const Representatives of_ball = choose_representatives(with_outlier, 5000);
+  const Representatives of_ball = downsample(with_outlier, 5000);
   for (std::size_t i = 0; i < with_outlier.size(); ++i)
     BOOST_REQUIRE_LT(
         length(of_ball.points.positions[of_ball.of_point[i]] - with_outlier.positions[i]), 1e-4f);
@@ -383,7 +383,7 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_k_nearest)
 
 BOOST_AUTO_TEST_CASE(the_inner_edge_of_an_l_is_concave_and_its_outer_edge_convex)
 {
-  Raw_points raw = concave_corner(12, 0.05);
+  Raw_shape raw = concave_corner(12, 0.05);
   for (const double side : {1., -1.}) // the same surface seen from the other side
   {
     for (auto& n : raw.normals) n = {side * n[0], side * n[1], side * n[2]};
@@ -407,7 +407,7 @@ BOOST_AUTO_TEST_CASE(the_inner_edge_of_an_l_is_concave_and_its_outer_edge_convex
 
 BOOST_AUTO_TEST_CASE(links_become_edges)
 {
-  Raw_points raw;
+  Raw_shape raw;
   add_rectangle(raw, {0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, 20, 20, {0., 0., 1.});
   raw.links = {{0, 399}};
   Oriented_points points = orient_points(raw);
@@ -429,7 +429,7 @@ BOOST_AUTO_TEST_CASE(few_or_equal_points_have_a_graph)
     BOOST_CHECK_EQUAL(graph.neighbors.size(), n * (n - 1)); // all with all
     BOOST_CHECK(is_well_formed(graph));
   }
-  Raw_points raw;
+  Raw_shape raw;
   for (int i = 0; i < 300; ++i) add_point(raw, {4., 5., 6.}, {0., 0., 0.});
   Oriented_points equal = orient_points(raw);
   BOOST_CHECK_EQUAL(equal.extent, 1.);
@@ -445,7 +445,7 @@ BOOST_AUTO_TEST_CASE(few_or_equal_points_have_a_graph)
 
 BOOST_AUTO_TEST_CASE(missing_normals_come_from_the_neighbors)
 {
-  Raw_points raw;
+  Raw_shape raw;
   add_rectangle(raw, {0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, 10, 10, {0., 1., 0.});
   raw.normals[44] = {0., 0., 0.};
   Oriented_points points = orient_points(raw);
@@ -483,7 +483,7 @@ BOOST_AUTO_TEST_CASE(rings_of_points_are_one_graph)
   BOOST_CHECK(is_well_formed(graph));
 
   // points that are spread evenly have neighbors on all sides already, and other bodies stay apart
-  Raw_points raw;
+  Raw_shape raw;
   add_sphere(raw, {0., 0., 0.}, 1., 3000);
   add_sphere(raw, {2.06, 0., 0.}, 1., 3000);
   Oriented_points spheres = orient_points(raw);
@@ -497,7 +497,7 @@ BOOST_AUTO_TEST_CASE(a_turned_part_in_rings_has_the_parts_of_the_shape)
 {
   // a thick and a thin cylinder, open at their ends
   const auto radius = [](const double x) { return x < 1.99 ? 1. : 0.4; };
-  const Raw_points raw = rings(4., radius);
+  const Raw_shape raw = rings(4., radius);
   CGAL::Weakly_convex_segmentation::Parameters parameters;
   parameters.number_of_patches = 40;
   const auto labels = segment_points(raw, parameters, {}).labels;

@@ -4,9 +4,9 @@
 #define BOOST_TEST_MODULE Lines_of_sight_decomposition
 #include <boost/test/included/unit_test.hpp>
 
+#include "baselines/lines_of_sight_decomposition.h"
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Weakly_convex_segmentation/lines_of_sight_decomposition.h>
 
 #include "shapes_for_tests.h"
 
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(given_number_of_parts_is_kept)
 
 BOOST_AUTO_TEST_CASE(separate_shapes_are_separate_parts)
 {
-  WCS::internal::Raw_points raw;
+  WCS::internal::Raw_shape raw;
   for (const double x : {0., 3., 6.}) Shapes_for_tests::add_sphere(raw, {x, 0., 0.}, 1., 700);
   std::vector<Oriented> points;
   for (std::size_t i = 0; i < raw.positions.size(); ++i)

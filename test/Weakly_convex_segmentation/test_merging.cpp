@@ -4,8 +4,7 @@
 #define BOOST_TEST_MODULE Merging
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/component_fusion.h>
-#include <CGAL/Weakly_convex_segmentation/internal/component_merging.h>
+#include <CGAL/Weakly_convex_segmentation/internal/merging/paper_merging.h>
 
 #include "shapes_for_tests.h"
 
@@ -40,7 +39,7 @@ struct Shape
   Neighbor_graph graph;
   Patches patches;
   Parameters parameters;
-  std::unique_ptr<Sight> sight;
+  std::unique_ptr<Line_of_sight_query> sight;
   std::unique_ptr<Patch_visibility> visibility;
   std::vector<int> truth;
 
@@ -58,7 +57,7 @@ struct Shape
         const std::vector<std::tuple<Index, Index, double>>& edges, const Parameters& p)
     : parameters(p)
   {
-    Raw_points raw;
+    Raw_shape raw;
     for (const std::size_t size : sizes)
     {
       patches.members.emplace_back();
@@ -92,7 +91,7 @@ struct Shape
 private:
   void look()
   {
-    sight = std::make_unique<Sight>(points, graph, parameters);
+    sight = std::make_unique<Line_of_sight_query>(points, graph, parameters);
     visibility = std::make_unique<Patch_visibility>(*sight, patches, parameters, false);
   }
 };

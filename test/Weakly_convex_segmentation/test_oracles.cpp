@@ -60,7 +60,7 @@ Mesh surface_mesh(const Shape_generator::Labeled_mesh& shape)
 
 std::vector<Point_with_normal> sphere(const std::size_t count)
 {
-  WCS::internal::Raw_points raw;
+  WCS::internal::Raw_shape raw;
   Shapes_for_tests::add_sphere(raw, {5., 0., 0.}, 2., count);
   std::vector<Point_with_normal> points;
   for (std::size_t i = 0; i < count; ++i)

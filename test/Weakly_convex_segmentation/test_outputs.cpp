@@ -6,11 +6,11 @@
 #define BOOST_TEST_MODULE Outputs
 #include <boost/test/included/unit_test.hpp>
 
-#include "part_hulls.h"
+#include "io/part_hulls.h"
+#include "io/separate_parts.h"
+#include "io/shape_io.h"
 #include "run_program.h"
 #include "scratch_folder.h"
-#include "separate_parts.h"
-#include "shape_io.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -4,12 +4,12 @@
 #define BOOST_TEST_MODULE Parameters
 #include <boost/test/included/unit_test.hpp>
 
+#include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
-#include <CGAL/Weakly_convex_segmentation/internal/read_input.h>
 
 #include <CGAL/Simple_cartesian.h>
 
-#include "named_parameters.h"
+#include "common/set_parameter.h"
 #include "shapes_for_tests.h"
 
 #include <cmath>
@@ -205,7 +205,7 @@ Parameters preset_of(const Setting& setting)
 }
 
 /// a round bar of long sides and fans at its ends, with the corners of its faces
-Raw_points long_prism()
+Raw_shape long_prism()
 {
   constexpr std::size_t n = 60;
   const auto corner = [](const std::size_t i, const double z)
@@ -213,7 +213,7 @@ Raw_points long_prism()
     const double turn = 6.283185307179586 * static_cast<double>(i % n) / n;
     return Coordinates{std::cos(turn), std::sin(turn), z};
   };
-  Raw_points raw;
+  Raw_shape raw;
   for (std::size_t i = 0; i < n; ++i)
   {
     const Coordinates a = corner(i, 0.), b = corner(i + 1, 0.), c = corner(i + 1, 8.),
@@ -225,10 +225,10 @@ Raw_points long_prism()
   return raw;
 }
 
-const Raw_points& shape(const std::string& name)
+const Raw_shape& shape(const std::string& name)
 {
-  static std::map<std::string, Raw_points> shapes;
-  const auto [slot, is_new] = shapes.emplace(name, Raw_points());
+  static std::map<std::string, Raw_shape> shapes;
+  const auto [slot, is_new] = shapes.emplace(name, Raw_shape());
   if (!is_new) return slot->second;
   if (name == "long triangles")
   {
@@ -266,7 +266,7 @@ Result segment_bare_plate(const Parameters& parameters)
   for (const auto& p : Shape_generator::make_cloud("thin_plate", 3000, 1).points)
     points.emplace_back(p[0], p[1], p[2]);
   return segment_points(
-      read_input<CGAL::Sequential_tag>(points, CGAL::parameters::default_values(), parameters),
+      read_input<CGAL::Sequential_tag>(points, CGAL::parameters::default_values()),
       parameters, Run_control());
 }
 

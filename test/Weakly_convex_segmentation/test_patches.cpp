@@ -4,7 +4,7 @@
 #define BOOST_TEST_MODULE Patches
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/patches.h>
+#include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
 
 #include "shapes_for_tests.h"
 
@@ -74,7 +74,7 @@ struct Shape
   Neighbor_graph graph;
   std::vector<int> truth; ///< true part of each point
 
-  explicit Shape(const Raw_points& raw, const std::vector<int>& labels = {})
+  explicit Shape(const Raw_shape& raw, const std::vector<int>& labels = {})
     : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false))
   {
     for (const Index e : points.elements) truth.push_back(labels.empty() ? 0 : labels[e]);
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(a_clustering_that_leaves_nodes_out_is_refused)
 
 BOOST_AUTO_TEST_CASE(disconnected_pieces_are_never_in_one_patch)
 {
-  Raw_points raw;
+  Raw_shape raw;
   std::vector<int> labels;
   for (int b = 0; b < 4; ++b)
   {
@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(supervoxels_are_connected_and_as_many_as_wanted)
 
 BOOST_AUTO_TEST_CASE(supervoxels_are_spread_evenly)
 {
-  Raw_points raw;
+  Raw_shape raw;
   add_sphere(raw, {0., 0., 0.}, 1., 5000);
   const Shape shape(raw);
   const Supervoxels cells = build_supervoxels(shape.points, shape.graph, 100, 5.);
@@ -335,7 +335,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_patches_follows_the_parameter_whatever_the_se
 
 BOOST_AUTO_TEST_CASE(thousands_of_pieces_are_all_patches)
 {
-  Raw_points raw;
+  Raw_shape raw;
   for (int i = 0; i < 2000; ++i)
     add_sphere(raw, {1. * (i % 13), 1. * (i / 13 % 13), 1. * (i / 169)}, 0.01, 12);
   const Shape shape(raw);

@@ -8,7 +8,7 @@
 #define BOOST_TEST_MODULE princeton_benchmark
 #include <boost/test/included/unit_test.hpp>
 
-#include "../../benchmark/Weakly_convex_segmentation/princeton_benchmark.h"
+#include "metrics/princeton_benchmark.h"
 
 #include <array>
 #include <cmath>

@@ -7,10 +7,10 @@
 #define BOOST_TEST_MODULE Programs
 #include <boost/test/included/unit_test.hpp>
 
+#include "io/shape_io.h"
 #include "run_program.h"
 #include "scratch_folder.h"
-#include "shape_generator.h"
-#include "shape_io.h"
+#include "shapes/shape_generator.h"
 
 #include <nlohmann/json.hpp>
 

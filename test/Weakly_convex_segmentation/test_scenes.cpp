@@ -6,9 +6,9 @@
 #define BOOST_TEST_MODULE Scenes
 #include <boost/test/included/unit_test.hpp>
 
+#include "io/shape_io.h"
 #include "run_program.h"
 #include "scratch_folder.h"
-#include "shape_io.h"
 
 #include <algorithm>
 #include <cmath>

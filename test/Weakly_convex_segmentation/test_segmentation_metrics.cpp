@@ -7,7 +7,7 @@
 #define BOOST_TEST_MODULE segmentation_metrics
 #include <boost/test/included/unit_test.hpp>
 
-#include "../../benchmark/Weakly_convex_segmentation/segmentation_metrics.h"
+#include "metrics/segmentation_metrics.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #define BOOST_TEST_MODULE Shape_generator
 #include <boost/test/included/unit_test.hpp>
 
-#include "../../examples/Weakly_convex_segmentation/include/shape_generator.h"
+#include "shapes/shape_generator.h"
 
 #include <algorithm>
 #include <array>

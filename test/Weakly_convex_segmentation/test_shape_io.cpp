@@ -4,9 +4,9 @@
 #define BOOST_TEST_MODULE Shape_io
 #include <boost/test/included/unit_test.hpp>
 
+#include "io/separate_parts.h"
+#include "io/shape_io.h"
 #include "scratch_folder.h"
-#include "separate_parts.h"
-#include "shape_io.h"
 
 #include <algorithm>
 #include <cstddef>

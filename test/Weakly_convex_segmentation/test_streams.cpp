@@ -6,11 +6,11 @@
 #define BOOST_TEST_MODULE Streams
 #include <boost/test/included/unit_test.hpp>
 
+#include "io/shape_io.h"
 #include "pcd_files.h"
 #include "run_program.h"
 #include "scratch_folder.h"
-#include "shape_generator.h"
-#include "shape_io.h"
+#include "shapes/shape_generator.h"
 
 #include <algorithm>
 #include <chrono>

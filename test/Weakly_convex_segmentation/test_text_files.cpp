@@ -4,8 +4,8 @@
 #define BOOST_TEST_MODULE Text_files
 #include <boost/test/included/unit_test.hpp>
 
+#include "io/shape_io.h"
 #include "scratch_folder.h"
-#include "shape_io.h"
 
 #include <algorithm>
 #include <string>

@@ -4,9 +4,9 @@
 #define BOOST_TEST_MODULE virtual_scanner
 #include <boost/test/included/unit_test.hpp>
 
-#include "scene_scores.h"
-#include "shape_generator.h"
-#include "virtual_scanner.h"
+#include "scanner/virtual_scanner.h"
+#include "scenes/scene_scores.h"
+#include "shapes/shape_generator.h"
 
 #include <cmath>
 #include <set>

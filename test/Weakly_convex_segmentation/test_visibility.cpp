@@ -4,7 +4,7 @@
 #define BOOST_TEST_MODULE Visibility
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
+#include <CGAL/Weakly_convex_segmentation/internal/visibility/Patch_visibility.h>
 
 #include "shapes_for_tests.h"
 
@@ -33,12 +33,12 @@ struct Scene
   Oriented_points points;
   Neighbor_graph graph;
   Parameters parameters;
-  std::unique_ptr<Sight> sight;
+  std::unique_ptr<Line_of_sight_query> sight;
 
-  explicit Scene(const Raw_points& raw, const Parameters& p = {})
+  explicit Scene(const Raw_shape& raw, const Parameters& p = {})
     : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false)), parameters(p)
   {
-    sight = std::make_unique<Sight>(points, graph, parameters);
+    sight = std::make_unique<Line_of_sight_query>(points, graph, parameters);
     m_rank.resize(points.size());
     for (Index i = 0; i < points.size(); ++i) m_rank[points.elements[i]] = i;
     m_raw = raw;
@@ -75,10 +75,10 @@ struct Scene
 
 private:
   std::vector<Index> m_rank;
-  Raw_points m_raw;
+  Raw_shape m_raw;
 };
 
-Raw_points mesh_points(const std::string& name, const std::size_t faces = 6000)
+Raw_shape mesh_points(const std::string& name, const std::size_t faces = 6000)
 {
   return points_of_mesh(Shape_generator::make_mesh(name, faces));
 }
@@ -125,9 +125,9 @@ bool occludes(const Disk& disk, const Vector3& p, const Vector3& q, const double
 }
 
 /// a pipe along z from 0 to 1: an outer wall of radius 1 and an inner one of radius 0.8
-Raw_points pipe()
+Raw_shape pipe()
 {
-  Raw_points raw;
+  Raw_shape raw;
   for (int i = 0; i < 150; ++i)
     for (int j = 0; j < 26; ++j)
     {
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(the_bound_of_normals_holds_and_is_tight_along_a_wire)
     const std::vector<Disk> disks = random_disks(300, unevenness, random);
     std::vector<Vector3> normals;
     for (const Disk& disk : disks) normals.push_back(disk.normal);
-    const Normal_bound bound(normals);
+    const Slope_bound bound(normals);
     for (int line = 0; line < 300; ++line)
     {
       const Vector3 direction = random_vector(random, 1.f);
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(first_exit_stops_at_its_reach)
 
 BOOST_AUTO_TEST_CASE(all_points_of_a_sphere_see_each_other)
 {
-  Raw_points raw;
+  Raw_shape raw;
   add_sphere(raw, {0., 0., 0.}, 1., 3000);
   const Scene scene(raw);
   std::size_t blind = 0;
@@ -335,7 +335,7 @@ BOOST_AUTO_TEST_CASE(disks_and_clearance_follow_their_parameters)
 BOOST_AUTO_TEST_CASE(a_rough_flat_surface_does_not_blind_its_points_where_grazing_lines_pass)
 {
   std::mt19937 random(3);
-  Raw_points raw; // a square with bumps of a fiftieth of the distance between points
+  Raw_shape raw; // a square with bumps of a fiftieth of the distance between points
   for (int i = 0; i < 60; ++i)
     for (int j = 0; j < 60; ++j)
       add_point(raw, {i / 60., j / 60., uniform(random) / 3000.}, {0., 0., 1.});
@@ -411,7 +411,7 @@ BOOST_AUTO_TEST_CASE(convexity_rank_of_known_shapes)
 
 BOOST_AUTO_TEST_CASE(convexity_rank_of_a_subset_is_its_own)
 {
-  const Raw_points raw = mesh_points("l_shape");
+  const Raw_shape raw = mesh_points("l_shape");
   const Scene scene(raw);
   std::vector<Index> foot;
   for (Index i = 0; i < scene.points.size(); ++i)
@@ -425,7 +425,7 @@ BOOST_AUTO_TEST_CASE(equation_1_by_hand)
 {
   // A and B on one side of a wall, C on the other; each is a heap of equal points, whose disks have
   // no size, and all lie in the plane of their normals' tangents
-  Raw_points raw;
+  Raw_shape raw;
   const Coordinates y = {0., 1., 0.};
   for (int i = 0; i < 12; ++i) add_point(raw, {-1., 0., 0.}, y);
   for (int i = 0; i < 12; ++i) add_point(raw, {-1., 0., 1.}, y);

@@ -10,8 +10,10 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_DISK_LINE_OF_SIGHT_H
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/internal/check_call.h>
-#include <CGAL/Weakly_convex_segmentation/internal/read_input.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/check_call.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/estimate_normals.h>
+#include <CGAL/Weakly_convex_segmentation/internal/visibility/Line_of_sight_query.h>
 
 #include <CGAL/tags.h>
 
@@ -59,8 +61,9 @@ public:
     const auto& plain = internal::as_cgal(np);
     const Parameters parameters = internal::read_parameters(plain);
     parameters.check();
-    internal::Oriented_points points =
-        internal::orient_points(internal::read_input<Sequential_tag>(input, plain, parameters));
+    internal::Raw_shape raw = internal::read_input<Sequential_tag>(input, plain);
+    if (raw.normals.empty()) internal::estimate_normals(raw, {}, parameters.normal_orientation);
+    internal::Oriented_points points = internal::orient_points(raw);
     const internal::Neighbor_graph graph =
         internal::build_neighbor_graph(points, parameters.number_of_neighbors, false);
     m_placement = points.placement;

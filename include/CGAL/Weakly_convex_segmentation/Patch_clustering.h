@@ -10,7 +10,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_PATCH_CLUSTERING_H
 
 #include <CGAL/Weakly_convex_segmentation/Convexity_graph.h>
-#include <CGAL/Weakly_convex_segmentation/internal/spectral_clustering.h>
+#include <CGAL/Weakly_convex_segmentation/internal/patches/spectral_clustering.h>
 
 #include <cstddef>
 #include <cstdint>

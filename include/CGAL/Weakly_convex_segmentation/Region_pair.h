@@ -10,8 +10,8 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_REGION_PAIR_H
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/internal/cost_merging.h>
-#include <CGAL/Weakly_convex_segmentation/internal/fitted_merging.h>
+#include <CGAL/Weakly_convex_segmentation/internal/merging/Learned_cost.h>
+#include <CGAL/Weakly_convex_segmentation/internal/merging/Region_cost.h>
 
 #include <stdexcept>
 #include <utility>
@@ -80,7 +80,7 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  Region_pair(const internal::Region_cost& measures, const internal::Fitted_cost* learned,
+  Region_pair(const internal::Region_cost& measures, const internal::Learned_cost* learned,
               const int a, const int b, const bool is_blind)
     : m_measures(measures), m_learned(learned), m_smaller(a), m_larger(b), m_is_blind(is_blind)
   {
@@ -90,7 +90,7 @@ public:
 
 private:
   const internal::Region_cost& m_measures;
-  const internal::Fitted_cost* m_learned;
+  const internal::Learned_cost* m_learned;
   int m_smaller, m_larger;
   bool m_is_blind;
 };

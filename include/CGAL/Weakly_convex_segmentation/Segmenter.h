@@ -9,11 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_SEGMENTER_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_SEGMENTER_H
 
+#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
-#include <CGAL/Weakly_convex_segmentation/internal/check_call.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/check_call.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
-#include <CGAL/Weakly_convex_segmentation/internal/read_input.h>
 #include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
 #include <CGAL/assertions.h>
@@ -39,6 +40,16 @@ inline Parameters with_given_diameters(Parameters parameters)
   return parameters;
 }
 
+/// returns the caller's merge cost, an empty one if there is none.
+template <typename NamedParameters>
+Merge_cost read_merge_cost([[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (is_given<NamedParameters, names::merge_cost_t>)
+    return Merge_cost(CGAL::parameters::get_parameter(np, names::merge_cost_t()));
+  else
+    return {};
+}
+
 /// reads an input and measures what does not depend on thresholds.
 template <typename ConcurrencyTag, typename Input, typename NamedParameters>
 std::unique_ptr<Shape_analysis> analyze_input(const Input& input, const NamedParameters& np,
@@ -48,18 +59,18 @@ std::unique_ptr<Shape_analysis> analyze_input(const Input& input, const NamedPar
   parameters.check();
   const std::vector<double> diameters = read_diameters(input, np);
   if (!diameters.empty()) parameters = with_given_diameters(parameters);
-  const Raw_points raw = read_input<ConcurrencyTag>(input, np, parameters);
+  Raw_shape raw = read_input<ConcurrencyTag>(input, np);
   control.progress(0.);
-  auto shape = analyze_shape(raw, parameters, control, read_oracles(np));
+  auto shape = analyze_shape(std::move(raw), parameters, control, read_oracles(np));
   if (!diameters.empty()) use_diameters(*shape, diameters, control.parallel);
   return shape;
 }
 
 inline Result segment(Shape_analysis& shape, const Parameters& parameters,
-                      const Run_control& control)
+                      const Run_control& control, const Merge_cost& own_cost)
 {
   parameters.check();
-  Contraction contraction = contract_patches(shape, parameters, control);
+  Contraction contraction = contract_patches(shape, parameters, control, own_cost);
   const std::vector<int> regions = regions_at(contraction.tree, Level::SEGMENTS);
   return finish_segmentation(shape, std::move(contraction), regions, parameters, control);
 }
@@ -74,7 +85,7 @@ Result segment_input(const Input& input, LabelMap label_map, const NamedParamete
   {
     const Run_control control = read_control<ConcurrencyTag>(np);
     const auto shape = analyze_input<ConcurrencyTag>(input, np, control);
-    Result result = segment(*shape, read_parameters(np), control);
+    Result result = segment(*shape, read_parameters(np), control, read_merge_cost(np));
     if constexpr (is_given<NamedParameters, names::level_t>)
       write_labels(input, result.labels_at(CGAL::parameters::get_parameter(np, names::level_t())),
                    label_map);
@@ -151,7 +162,7 @@ public:
   Result segment(const Parameters& parameters)
   {
     CGAL_precondition(m_shape != nullptr);
-    return internal::segment(*m_shape, parameters, m_control);
+    return internal::segment(*m_shape, parameters, m_control, m_merge_cost);
   }
 
   /// is the same with the parameters of the constructor, but for what is named:
@@ -265,6 +276,7 @@ private:
     {
       m_control = internal::read_control<ConcurrencyTag>(np);
       m_parameters = internal::read_parameters(np);
+      m_merge_cost = internal::read_merge_cost(np);
       m_shape = internal::analyze_input<ConcurrencyTag>(input, np, m_control);
     }
   }
@@ -280,6 +292,7 @@ private:
       m_control = internal::read_control<ConcurrencyTag>(np);
       m_parameters = internal::read_parameters(np);
       m_parameters.check();
+      m_merge_cost = internal::read_merge_cost(np);
       m_shape = internal::analyze_shape(internal::read_soup(points, polygons,
                                                             internal::point_map_of(points, np),
                                                             internal::traits_of(np), m_control),
@@ -295,7 +308,7 @@ private:
     if constexpr (mistake == internal::Mistake::NONE)
     {
       if constexpr (internal::is_given<NamedParameters, names::merge_cost_t>)
-        m_shape->oracles.merge_cost = internal::read_oracles(np).merge_cost;
+        m_merge_cost = internal::read_merge_cost(np);
       return segment(internal::read_parameters(np, m_parameters));
     }
     else
@@ -303,6 +316,7 @@ private:
   }
 
   Parameters m_parameters;
+  internal::Merge_cost m_merge_cost; ///< of the caller, if there is one
   internal::Run_control m_control;
   std::unique_ptr<internal::Shape_analysis> m_shape;
 };

@@ -24,7 +24,7 @@ enum class Stage
   PATCHES,    ///< over-segmentation into nearly convex patches
   VISIBILITY, ///< what lines of sight are cast against (on demand, while merging)
   SIGNATURES, ///< shape diameters
-  AGREEMENT,  ///< segments that several sets of patches agree on
+  CONSENSUS,  ///< segments that several sets of patches agree on
   FUSION,     ///< patches into weakly convex components
   MERGING,    ///< components into segments
   REFINEMENT, ///< borders of the segments

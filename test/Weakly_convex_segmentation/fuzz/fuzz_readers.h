@@ -5,8 +5,8 @@
 #define TEST_FUZZ_READERS_H
 
 #include "../pcd_files.h"
-#include "separate_parts.h"
-#include "shape_io.h"
+#include "io/separate_parts.h"
+#include "io/shape_io.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,10 +4,10 @@
 // Calls that the compiler has to refuse, each with one error. Without WRONG it has to accept the rest. See
 // run.cmake, which reads what is expected after "error:" in the comments.
 
+#include "baselines/lines_of_sight_decomposition.h"
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Weakly_convex_segmentation/lines_of_sight_decomposition.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <cstddef>

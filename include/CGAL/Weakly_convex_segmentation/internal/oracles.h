@@ -9,12 +9,14 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORACLES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORACLES_H
 
-#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
-#include <CGAL/Weakly_convex_segmentation/internal/Line_of_sight_functions.h>
+#include <CGAL/Weakly_convex_segmentation/internal/visibility/Line_of_sight_functions.h>
+#include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
-// The parts of the method that a caller can put in the place of ours.
+#include <CGAL/Named_function_parameters.h>
+
+// The parts of the analysis of a shape that a caller can put in the place of ours.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -25,7 +27,6 @@ struct Oracles
 {
   Line_of_sight_functions line_of_sight;
   Patch_clustering patch_clustering;
-  Merge_cost merge_cost;
 
   /// returns the clustering that makes the patches.
   Patch_clustering clustering(const Parameters& parameters) const
@@ -34,6 +35,20 @@ struct Oracles
     return Spectral_patch_clustering(parameters.spectral_dimensions);
   }
 };
+
+/// reads what the caller has in the place of our parts.
+template <typename NamedParameters>
+Oracles read_oracles([[maybe_unused]] const NamedParameters& np)
+{
+  namespace params = CGAL::parameters;
+  Oracles oracles;
+  if constexpr (is_given<NamedParameters, names::line_of_sight_t>)
+    oracles.line_of_sight =
+        Line_of_sight_functions(params::get_parameter(np, names::line_of_sight_t()));
+  if constexpr (is_given<NamedParameters, names::patch_clustering_t>)
+    oracles.patch_clustering = params::get_parameter(np, names::patch_clustering_t());
+  return oracles;
+}
 
 } // namespace internal
 } // namespace Weakly_convex_segmentation

@@ -11,11 +11,11 @@
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
-#include <CGAL/Weakly_convex_segmentation/internal/agreement.h>
-#include <CGAL/Weakly_convex_segmentation/internal/label_transfer.h>
-#include <CGAL/Weakly_convex_segmentation/internal/merging_rules.h>
-#include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
-#include <CGAL/Weakly_convex_segmentation/internal/segment_statistics.h>
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
+#include <CGAL/Weakly_convex_segmentation/internal/merging/Merge_strategy.h>
+#include <CGAL/Weakly_convex_segmentation/internal/output/label_transfer.h>
+#include <CGAL/Weakly_convex_segmentation/internal/output/segment_statistics.h>
 #include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
 #include <cmath>
@@ -80,10 +80,10 @@ inline void merge_nonadjacent(Region_graph& graph, const Contraction_log& log,
 }
 
 /// merges what has one label in spite of the thresholds, and parts of it that do not touch at last.
-inline void merge_agreed(Region_graph& graph, Merging_rules& rules, const Contraction_log& log)
+inline void merge_agreed(Region_graph& graph, Merge_strategy& rules, const Contraction_log& log)
 {
   contract(
-      graph, [&](const int a, const int b) { return rules.cost_beyond(a, b); }, log);
+      graph, [&](const int a, const int b) { return rules.cost_above_threshold(a, b); }, log);
   std::map<int, int> first_with_label;
   for (int r = 0; r < static_cast<int>(graph.regions().size()); ++r)
   {
@@ -95,10 +95,10 @@ inline void merge_agreed(Region_graph& graph, Merging_rules& rules, const Contra
 
 /// marks the segments in the merge tree, after more merges if there are too many, and then goes on to
 /// one region. Returns the number of segments.
-inline std::size_t finish_merging(Region_graph& graph, Merging_rules& rules,
+inline std::size_t finish_merging(Region_graph& graph, Merge_strategy& rules,
                                   const Parameters& parameters, const Contraction_log& log)
 {
-  const auto cost = [&](const int a, const int b) { return rules.cost_beyond(a, b); };
+  const auto cost = [&](const int a, const int b) { return rules.cost_above_threshold(a, b); };
   const std::size_t most = parameters.maximum_number_of_segments;
   if (most > 0)
   {
@@ -125,13 +125,15 @@ public:
 /// returns the segments of the representatives that one set of patches leads to. Their borders are
 /// refined: else what sets agree on would be cut along the borders of many patches.
 inline std::vector<int> segments_of_set(const Shape_analysis& shape, const Patch_set& set,
-                                        const Parameters& parameters, const Run_control& control)
+                                        const Parameters& parameters, const Run_control& control,
+                                        const Merge_cost& own_cost)
 {
   Region_graph graph(shape.points(), shape.graph, set.patches, *set.visibility, parameters);
   Merge_tree tree(set.patches.size());
   Silent_visitor asking(control);
   const Contraction_log log{tree, &asking};
-  const auto rules = make_rules(shape, set.patches, graph, parameters, control.parallel);
+  const auto rules =
+      make_strategy(shape, set.patches, graph, parameters, control.parallel, own_cost);
   rules->fuse(log);
   rules->merge(log);
   const std::vector<int> regions = graph.labels();
@@ -144,31 +146,33 @@ inline std::vector<int> segments_of_set(const Shape_analysis& shape, const Patch
 
 /// returns what most of the sets of patches agree on: the segments of the representatives.
 inline std::vector<int> agree(const Shape_analysis& shape, const Parameters& parameters,
-                              const Run_control& control)
+                              const Run_control& control, const Merge_cost& own_cost)
 {
   std::vector<std::vector<int>> segmentations(shape.patch_sets.size());
   parallel_for(
       segmentations.size(), control.parallel,
-      [&](const std::size_t s)
-      { segmentations[s] = segments_of_set(shape, shape.patch_sets[s], parameters, control); },
+      [&](const std::size_t s) {
+        segmentations[s] =
+            segments_of_set(shape, shape.patch_sets[s], parameters, control, own_cost);
+      },
       1);
-  return agreed_labels(segmentations, parameters.minimum_segment_share *
-                                          static_cast<double>(shape.points().size()));
+  return consensus_labels(segmentations, parameters.minimum_segment_share *
+                                             static_cast<double>(shape.points().size()));
 }
 
 /// finds what the sets of patches agree on, if there are several: returns a label for each patch of the
 /// first, and sets the patches of the points.
 inline std::vector<int> agreed_patch_labels(const Shape_analysis& shape,
                                             const Parameters& parameters,
-                                            const Run_control& control,
+                                            const Run_control& control, const Merge_cost& own_cost,
                                             std::vector<int>& patch_of_point)
 {
   std::vector<int> of_patches;
-  control.stage(Stage::AGREEMENT,
+  control.stage(Stage::CONSENSUS,
                 [&]
                 {
                   if (shape.patch_sets.size() == 1) return std::size_t(1);
-                  const std::vector<int> labels = agree(shape, parameters, control);
+                  const std::vector<int> labels = agree(shape, parameters, control, own_cost);
                   of_patches = patch_labels(shape.patches(), labels);
                   patch_of_point = patches_of_labels(shape.patches(), of_patches, labels);
                   return shape.patch_sets.size();
@@ -178,16 +182,16 @@ inline std::vector<int> agreed_patch_labels(const Shape_analysis& shape,
 
 /// contracts the patches.
 inline Contraction contract_patches(Shape_analysis& shape, const Parameters& parameters,
-                                    const Run_control& control)
+                                    const Run_control& control, const Merge_cost& own_cost = {})
 {
   // a shape that was analyzed for other rules has no diameters yet
   sample_diameters(shape, parameters, control.parallel);
   const Patches& patches = shape.patches();
   Contraction result{Merge_tree(patches.size()), patches.of_point};
   const std::vector<int> apart =
-      agreed_patch_labels(shape, parameters, control, result.patch_of_point);
+      agreed_patch_labels(shape, parameters, control, own_cost, result.patch_of_point);
   Region_graph graph(shape.points(), shape.graph, patches, shape.visibility(), parameters);
-  const auto rules = make_rules(shape, patches, graph, parameters, control.parallel);
+  const auto rules = make_strategy(shape, patches, graph, parameters, control.parallel, own_cost);
   Asking_visitor asking(control);
   Contraction_log log{result.tree, &asking}, within{result.tree, &asking, apart};
   if (!apart.empty())
@@ -261,12 +265,12 @@ inline std::vector<int> regions_at(const Merge_tree& tree, const Level level)
 }
 
 /// the whole method
-inline Result segment_points(const Raw_points& raw, const Parameters& parameters,
+inline Result segment_points(Raw_shape raw, const Parameters& parameters,
                              const Run_control& control)
 {
   parameters.check();
   control.progress(0.);
-  const auto shape = analyze_shape(raw, parameters, control);
+  const auto shape = analyze_shape(std::move(raw), parameters, control);
   Contraction contraction = contract_patches(*shape, parameters, control);
   const std::vector<int> regions = regions_at(contraction.tree, Level::SEGMENTS);
   return finish_segmentation(*shape, std::move(contraction), regions, parameters, control);

@@ -10,17 +10,18 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SHAPE_ANALYSIS_H
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/internal/mesh_noise.h>
-#include <CGAL/Weakly_convex_segmentation/internal/mesh_samples.h>
-#include <CGAL/Weakly_convex_segmentation/internal/neighbor_graph.h>
-#include <CGAL/Weakly_convex_segmentation/internal/noise.h>
-#include <CGAL/Weakly_convex_segmentation/internal/normal_direction.h>
+#include <CGAL/Weakly_convex_segmentation/internal/diameters/shape_diameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/denoise_mesh.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/face_sampling.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/oracles.h>
-#include <CGAL/Weakly_convex_segmentation/internal/patches.h>
-#include <CGAL/Weakly_convex_segmentation/internal/representatives.h>
-#include <CGAL/Weakly_convex_segmentation/internal/run_control.h>
-#include <CGAL/Weakly_convex_segmentation/internal/visibility.h>
-#include <CGAL/Weakly_convex_segmentation/internal/volumetric_signatures.h>
+#include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/denoise_points.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/downsampling.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/estimate_normals.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/normal_direction.h>
+#include <CGAL/Weakly_convex_segmentation/internal/visibility/Patch_visibility.h>
 
 #include <cstddef>
 #include <memory>
@@ -51,7 +52,7 @@ struct Shape_analysis
   Neighbor_graph graph;
   bool is_smoothed = false;          ///< the representatives had too much noise
   std::vector<Patch_set> patch_sets; ///< the first is what the merge tree is about
-  std::unique_ptr<Sight> sight;
+  std::unique_ptr<Line_of_sight_query> sight;
   std::vector<Diameter_sample> diameters; ///< through the whole shape
   std::size_t diameter_samples = 0;       ///< how many there are to be
   bool has_diameters = false; ///< measured or given; else the samples tell only what they face
@@ -77,28 +78,28 @@ inline void sample_diameters(Shape_analysis& shape, const Parameters& parameters
 }
 
 /// runs the stages up to the signatures.
-inline std::unique_ptr<Shape_analysis> analyze_shape(const Raw_points& raw,
-                                                     const Parameters& parameters,
+inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parameters& parameters,
                                                      const Run_control& control,
                                                      Oracles oracles = {})
 {
   auto shape = std::make_unique<Shape_analysis>();
   shape->oracles = std::move(oracles);
+  if (raw.normals.empty()) estimate_normals(raw, control, parameters.normal_orientation);
   control.stage(Stage::SAMPLING,
                 [&]
                 {
-                  Raw_points sampled, smoothed;
-                  const bool is_rough =
-                      smooth_mesh(raw, radians(parameters.mesh_noise_tolerance), control, smoothed);
-                  const Raw_points& faces = is_rough ? smoothed : raw;
+                  Raw_shape sampled, smoothed;
+                  const bool is_rough = denoise_mesh(raw, radians(parameters.mesh_noise_tolerance),
+                                                     control, smoothed);
+                  const Raw_shape& faces = is_rough ? smoothed : raw;
                   const bool has_more = sample_faces(faces, parameters, sampled);
                   control.check();
                   shape->input = orient_points(has_more ? sampled : faces, control.parallel,
                                                control, parameters.align_principal_axes);
                   control.check();
                   shape->representatives =
-                      choose_representatives(shape->input, parameters.number_of_representatives,
-                                             control.parallel, parameters.noise_tolerance < 180.);
+                      downsample(shape->input, parameters.number_of_representatives,
+                                 control.parallel, parameters.noise_tolerance < 180.);
                   control.check();
                   if (parameters.flip_inward_normals && is_inside_out(shape->points()))
                   {
@@ -116,8 +117,8 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(const Raw_points& raw,
                       shape->representatives.points, parameters.number_of_neighbors,
                       control.parallel, parameters.link_across_lines);
                   shape->is_smoothed =
-                      smooth_noise(radians(parameters.noise_tolerance), shape->graph,
-                                   shape->representatives.points) > 0;
+                      denoise_points(radians(parameters.noise_tolerance), shape->graph,
+                                     shape->representatives.points) > 0;
                   return shape->graph.neighbors.size() / 2;
                 });
   control.stage(Stage::PATCHES,
@@ -132,8 +133,8 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(const Raw_points& raw,
   control.stage(Stage::VISIBILITY,
                 [&]
                 {
-                  shape->sight = std::make_unique<Sight>(shape->points(), shape->graph, parameters,
-                                                         shape->oracles.line_of_sight);
+                  shape->sight = std::make_unique<Line_of_sight_query>(
+                      shape->points(), shape->graph, parameters, shape->oracles.line_of_sight);
                   control.check();
                   for (Patch_set& set : shape->patch_sets)
                     set.visibility = std::make_unique<Patch_visibility>(

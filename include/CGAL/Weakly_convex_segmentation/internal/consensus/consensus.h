@@ -1,0 +1,229 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+//
+// This file is part of Weakly_convex_segmentation, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Weakly_convex_segmentation authors
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H
+
+#include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+// What several segmentations of one shape agree on. Where patches end is left to chance in part, and
+// with it whether a part is found that is hardly one. Segmentations from several sets of patches err
+// independently of each other, so most of them are right more often than each of them.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// The coarsest partition whose classes are whole in every one of some segmentations.
+struct Overlay
+{
+  std::vector<int> of_point;
+  std::vector<std::vector<int>> labels; ///< of each class, one a segmentation
+  std::vector<double> sizes;            ///< points in each class
+};
+
+inline Overlay overlay(const std::vector<std::vector<int>>& segmentations)
+{
+  Overlay result;
+  std::map<std::vector<int>, int> number;
+  std::vector<int> labels(segmentations.size());
+  for (std::size_t i = 0; i < segmentations.front().size(); ++i)
+  {
+    for (std::size_t s = 0; s < labels.size(); ++s) labels[s] = segmentations[s][i];
+    const auto [slot, is_new] = number.emplace(labels, static_cast<int>(result.sizes.size()));
+    if (is_new)
+    {
+      result.labels.push_back(labels);
+      result.sizes.push_back(0.);
+    }
+    result.of_point.push_back(slot->second);
+    result.sizes[slot->second] += 1.;
+  }
+  return result;
+}
+
+/// Clusters of the classes of an overlay, by the share of the segmentations that have two points of
+/// them in one segment, on average over the points: sums of pairs of points add up under merging.
+class Consensus
+{
+public:
+  explicit Consensus(const Overlay& classes)
+    : m_runs(static_cast<double>(classes.labels.front().size())), m_sizes(classes.sizes),
+      m_together(classes.sizes.size()), m_age(classes.sizes.size(), 0)
+  {
+    for (std::size_t c = 0; c < m_sizes.size(); ++c) m_cluster.push_back(static_cast<int>(c));
+    for (std::size_t s = 0; s < classes.labels.front().size(); ++s)
+    {
+      std::map<int, std::vector<int>> with_label;
+      for (std::size_t c = 0; c < m_sizes.size(); ++c)
+        with_label[classes.labels[c][s]].push_back(static_cast<int>(c));
+      for (const auto& [label, members] : with_label)
+        for (const int a : members)
+          for (const int b : members)
+            if (a != b) m_together[a][b] += m_sizes[a] * m_sizes[b];
+    }
+  }
+
+  /// merges clusters, those of highest agreement first, while two points of different clusters are
+  /// together in more than the share `least` of the segmentations, on average.
+  void merge_down_to(const double least)
+  {
+    for (int a = 0; a < static_cast<int>(m_sizes.size()); ++a) consider(a, least, true);
+    while (!m_queue.empty())
+    {
+      const Candidate best = m_queue.top();
+      m_queue.pop();
+      if (m_age[best.a] != best.age_a || m_age[best.b] != best.age_b) continue;
+      merge(best.a, best.b);
+      consider(best.a, least, false);
+    }
+  }
+
+  /// gives clusters of fewer points, smallest first, to the one that they agree with most.
+  void absorb_smaller_than(const double size)
+  {
+    std::vector<int> by_size;
+    for (int c = 0; c < static_cast<int>(m_sizes.size()); ++c) by_size.push_back(c);
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [this](const int a, const int b) { return m_sizes[a] < m_sizes[b]; });
+    for (const int c : by_size)
+    {
+      if (m_cluster[c] != c || m_sizes[c] >= size) continue;
+      std::pair<double, int> best(0., -1);
+      for (const auto& [other, together] : m_together[c])
+        best = (std::max)(best, {together / m_sizes[other], other});
+      if (best.second >= 0) merge(best.second, c);
+    }
+  }
+
+  /// cluster of a class, named by one of its classes
+  int cluster_of(int c) const
+  {
+    while (m_cluster[c] != c) c = m_cluster[c];
+    return c;
+  }
+
+private:
+  struct Candidate
+  {
+    double share, pairs;
+    int a, b;
+    std::size_t age_a, age_b;
+    /// Of equal shares, which few segmentations have many of, that of most points is first: what lies
+    /// between two borders then goes with the large neighbors, not with what lies there too.
+    bool operator<(const Candidate& other) const // the queue's top is its largest element
+    {
+      return std::tie(share, pairs, other.a, other.b) < std::tie(other.share, other.pairs, a, b);
+    }
+  };
+
+  void consider(const int a, const double least, const bool only_higher)
+  {
+    for (const auto& [b, together] : m_together[a])
+    {
+      const double pairs = m_sizes[a] * m_sizes[b], share = together / (m_runs * pairs);
+      if (share <= least || (only_higher && b < a)) continue;
+      const int low = (std::min)(a, b), high = (std::max)(a, b);
+      m_queue.push({share, pairs, low, high, m_age[low], m_age[high]});
+    }
+  }
+
+  /// merges `b` into `a`.
+  void merge(const int a, const int b)
+  {
+    for (const auto& [c, together] : m_together[b])
+    {
+      m_together[c].erase(b);
+      if (c == a) continue;
+      m_together[a][c] += together;
+      m_together[c][a] = m_together[a][c];
+    }
+    m_together[b].clear();
+    m_sizes[a] += m_sizes[b];
+    m_cluster[b] = a;
+    ++m_age[a];
+    ++m_age[b];
+  }
+
+  double m_runs;               ///< number of segmentations
+  std::vector<double> m_sizes; ///< points in each cluster
+  std::vector<int> m_cluster;  ///< classes as a forest: the root names the cluster
+  /// pairs of points of two clusters that are together, summed over the segmentations
+  std::vector<std::map<int, double>> m_together;
+  std::vector<std::size_t> m_age;
+  std::priority_queue<Candidate> m_queue;
+};
+
+/// returns the labels that most of the segmentations agree on, one a point, from 0 on but with gaps.
+/// Segments of fewer than `minimum_size` points join the one that they agree with most.
+///
+/// Complexity: linear in the number of points, besides O(m^2 log m) for m classes that overlap in a
+/// segment.
+inline std::vector<int> consensus_labels(const std::vector<std::vector<int>>& segmentations,
+                                         const double minimum_size)
+{
+  // two of three: 2/3; classes that one of three joins to each other, 1/3, stay apart
+  constexpr double least_share = 0.4;
+  const Overlay classes = overlay(segmentations);
+  Consensus agreement(classes);
+  agreement.merge_down_to(least_share);
+  agreement.absorb_smaller_than(minimum_size);
+  std::vector<int> labels;
+  labels.reserve(classes.of_point.size());
+  for (const int c : classes.of_point) labels.push_back(agreement.cluster_of(c));
+  return labels;
+}
+
+/// returns the label of each patch that most of its points have, the smallest of such.
+inline std::vector<int> patch_labels(const Patches& patches, const std::vector<int>& labels)
+{
+  std::vector<int> result;
+  for (const auto& members : patches.members)
+  {
+    std::map<int, std::size_t> count;
+    for (const Index i : members) ++count[labels[i]];
+    result.push_back(std::max_element(count.begin(), count.end(),
+                                      [](const auto& a, const auto& b)
+                                      { return a.second < b.second; })
+                         ->first);
+  }
+  return result;
+}
+
+/// returns for each point a patch that has its label, its own one if that does or if none does: with
+/// it, the regions of the patches tell those of the points.
+inline std::vector<int> patches_of_labels(const Patches& patches,
+                                          const std::vector<int>& of_patches,
+                                          const std::vector<int>& labels)
+{
+  std::map<int, int> first_with_label;
+  for (std::size_t p = 0; p < of_patches.size(); ++p)
+    first_with_label.emplace(of_patches[p], static_cast<int>(p));
+  std::vector<int> result = patches.of_point;
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    if (of_patches[result[i]] == labels[i]) continue;
+    const auto other = first_with_label.find(labels[i]);
+    if (other != first_with_label.end()) result[i] = other->second;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H

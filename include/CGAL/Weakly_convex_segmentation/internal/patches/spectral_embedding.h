@@ -1,0 +1,121 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+//
+// This file is part of Weakly_convex_segmentation, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Weakly_convex_segmentation authors
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SPECTRAL_EMBEDDING_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SPECTRAL_EMBEDDING_H
+
+#include <CGAL/Weakly_convex_segmentation/Convexity_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/patches/k_means.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymEigsSolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+// The nodes of a graph in the space of the lowest eigenvectors of its normalized Laplacian (section 4,
+// "Initial patches"), by Spectra.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+using Graph_matrix = Eigen::SparseMatrix<float>;
+
+/// returns the matrix D^-1/2 W D^-1/2 of a graph whose nodes have edges. Its highest eigenvectors are the
+/// lowest ones of the normalized Laplacian; its spectrum lies in [-1, 1].
+inline Graph_matrix normalized_adjacency(const Convexity_graph& graph)
+{
+  std::vector<double> degree(graph.number_of_nodes, 0.);
+  for (const Convexity_graph::Edge& e : graph.edges)
+    for (const Index node : {e.first, e.second}) degree[node] += e.weight;
+  std::vector<Eigen::Triplet<float>> entries;
+  entries.reserve(2 * graph.edges.size());
+  for (const Convexity_graph::Edge& e : graph.edges)
+  {
+    const int i = static_cast<int>(e.first), j = static_cast<int>(e.second);
+    const float w = static_cast<float>(e.weight / std::sqrt(degree[e.first] * degree[e.second]));
+    entries.emplace_back(i, j, w);
+    entries.emplace_back(j, i, w);
+  }
+  const Eigen::Index n = static_cast<Eigen::Index>(graph.number_of_nodes);
+  Graph_matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// Eigenvectors of a symmetric matrix, in columns.
+struct Eigenvectors
+{
+  Eigen::VectorXf values;
+  Eigen::MatrixXf vectors;
+};
+
+/// returns the eigenvectors of the `count` highest eigenvalues by Lanczos iteration in a space of
+/// `lanczos_vectors` dimensions: those of them that converge.
+inline Eigenvectors lanczos_eigenvectors(const Graph_matrix& matrix, const Eigen::Index count,
+                                         const Eigen::Index lanczos_vectors)
+{
+  constexpr float tolerance = 1e-3f; // k-means needs no better
+  // surfaces need about 12; long wires, whose eigenvalues lie close, are content with what is found by then
+  constexpr Eigen::Index maximum_restarts = 20;
+  Spectra::SparseSymMatProd<float> product(matrix);
+  Spectra::SymEigsSolver<Spectra::SparseSymMatProd<float>> solver(product, count, lanczos_vectors);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestAlge, maximum_restarts, tolerance);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+/// returns the eigenvectors of the `count` highest eigenvalues, or fewer where they do not converge.
+///
+/// Small matrices are solved densely. If Lanczos iteration finds hardly any eigenvectors, it is tried once
+/// more in a space of twice the dimensions.
+inline Eigenvectors highest_eigenvectors(const Graph_matrix& matrix, const Eigen::Index count)
+{
+  const Eigen::Index n = matrix.rows(), lanczos_vectors = 2 * count + 10;
+  if (n <= lanczos_vectors)
+  {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> solver{Eigen::MatrixXf(matrix)};
+    return {solver.eigenvalues().tail(count), solver.eigenvectors().rightCols(count)};
+  }
+  Eigenvectors found = lanczos_eigenvectors(matrix, count, lanczos_vectors);
+  if (found.values.size() < count / 4)
+    found = lanczos_eigenvectors(matrix, count, (std::min)(n, 2 * lanczos_vectors));
+  return found;
+}
+
+/// returns the nodes' coordinates, scaled to unit length, in the space of the `dimensions` highest
+/// eigenvectors of a normalized adjacency.
+///
+/// An eigenvector counts the more, the lower its eigenvalue of the Laplacian, 1 - that of the adjacency, as
+/// in the embedding by commute times, so that the space has no hard end: that has 1 - RI .0988, all alike
+/// .0996 (default, mean of five seeds). Complexity: O((edges + n * dimensions) * dimensions * restarts);
+/// there are about 12 restarts, 20 at most.
+inline Embedding spectral_embedding(const Graph_matrix& matrix, const std::size_t dimensions)
+{
+  constexpr float floor = 0.2f; // of the lowest, relative to the highest
+  const Eigen::Index wanted = (std::min)(static_cast<Eigen::Index>(dimensions), matrix.rows());
+  Eigenvectors found = highest_eigenvectors(matrix, wanted);
+  const Eigen::ArrayXf frequencies = (1.f - found.values.array()).max(0.f);
+  if (frequencies.size() > 0 && frequencies.maxCoeff() > 0.f)
+    found.vectors *= (frequencies + floor * frequencies.maxCoeff()).rsqrt().matrix().asDiagonal();
+  Embedding rows = found.vectors;
+  rows.rowwise().normalize(); // rows of zeros stay
+  return rows;
+}
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SPECTRAL_EMBEDDING_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+//
+// This file is part of Weakly_convex_segmentation, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Weakly_convex_segmentation authors
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_LINE_OF_SIGHT_QUERY_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_LINE_OF_SIGHT_QUERY_H
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Kd_tree.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/visibility/Disk_tree.h>
+#include <CGAL/Weakly_convex_segmentation/internal/visibility/Line_of_sight_functions.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+// Lines of sight between points (section 3): against the disks of the points, or what the caller has.
+//
+// The paper is silent on how near the ends of a line the disks begin to occlude, and on whether a
+// line that passes outside of the shape, over a gap, counts: see `Parameters::clearance_factor` and
+// `Parameters::outside_tolerance`.
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// returns the disk of every point, as large as the mean distance to its neighbors.
+inline std::vector<Disk> make_disks(const Oriented_points& points, const Neighbor_graph& graph,
+                                    const double radius_factor)
+{
+  std::vector<Disk> disks(points.size());
+  for (std::size_t i = 0; i < disks.size(); ++i)
+    disks[i] = {points.positions[i], points.normals[i],
+                static_cast<float>(radius_factor) * graph.spacing[i]};
+  return disks;
+}
+
+/// returns `count` members spread evenly: members are in spatial order, so equal steps are fair.
+inline std::vector<Index> spread_sample(const std::vector<Index>& members, const std::size_t count)
+{
+  if (members.size() <= count) return members;
+  std::vector<Index> sample(count);
+  for (std::size_t i = 0; i < count; ++i)
+    sample[i] = members[(2 * i + 1) * members.size() / (2 * count)];
+  return sample;
+}
+
+/// Lines of sight between the points of one shape: what they see, and what faces them. The shape's disks
+/// are in the way, or what the caller has in their place.
+class Line_of_sight_query
+{
+public:
+  Line_of_sight_query(const Oriented_points& points, const Neighbor_graph& graph,
+                      const Parameters& parameters, const Line_of_sight_functions& own = {})
+    : m_points(points), m_own(own),
+      m_tree(own.sees ? std::vector<Disk>()
+                      : make_disks(points, graph, parameters.disk_radius_factor),
+             static_cast<float>(parameters.clearance_factor),
+             std::sin(radians(parameters.grazing_tolerance))),
+      m_outside_slope(parameters.outside_tolerance < 90.
+                          ? std::sin(radians(parameters.outside_tolerance))
+                          : 2.f)
+  {
+    if (own.sees) m_nearest = std::make_unique<Kd_tree>(points.positions);
+  }
+
+  const Oriented_points& points() const { return m_points; }
+  const Disk_tree& tree() const { return m_tree; }
+
+  /// returns whether the segment from `i` to `j` leaves the surface inwards at both ends, up to the
+  /// tolerance, and nothing is in its way.
+  bool sees(const Index i, const Index j) const
+  {
+    Disk_tree::Hint hint = Disk_tree::no_hint;
+    return sees(i, j, hint);
+  }
+  /// the same for one of many lines between the same parts, see `Disk_tree::unoccluded()`
+  bool sees(const Index i, const Index j, Disk_tree::Hint& hint) const
+  {
+    return i == j || (is_within(i, j, m_outside_slope) && is_free(i, j, hint));
+  }
+
+  /// the same with a tolerance of its own, in degrees
+  bool sees_inside(const Index i, const Index j, const double tolerance) const
+  {
+    Disk_tree::Hint hint = Disk_tree::no_hint;
+    return i == j || (is_within(i, j, std::sin(radians(tolerance))) && is_free(i, j, hint));
+  }
+
+  /// returns where a ray from a point along a unit vector first leaves the shape.
+  Ray_hit exit(const Index i, const Vector3& direction) const
+  {
+    if (!m_own.sees) return m_tree.first_exit(m_points.positions[i], direction, 1.f);
+    return hit_of_own(i, direction, m_own.distance_to_exit);
+  }
+  /// returns where it first enters the shape, from outside.
+  Ray_hit entry(const Index i, const Vector3& direction) const
+  {
+    if (!m_own.sees) return m_tree.first_entry(m_points.positions[i], direction, 1.f);
+    return hit_of_own(i, direction, m_own.distance_to_entry);
+  }
+
+private:
+  bool is_within(const Index i, const Index j, const float slope) const
+  {
+    if (slope > 1.f) return true;
+    const Vector3 direction = m_points.positions[j] - m_points.positions[i];
+    const float highest = slope * length(direction);
+    return dot(m_points.normals[i], direction) <= highest &&
+           -dot(m_points.normals[j], direction) <= highest;
+  }
+
+  bool is_free(const Index i, const Index j, Disk_tree::Hint& hint) const
+  {
+    const Vector3 &p = m_points.positions[i], &q = m_points.positions[j];
+    if (!m_own.sees) return m_tree.unoccluded(p, q, hint);
+    return m_own.sees(m_points.placement.position(p), m_points.placement.position(q));
+  }
+
+  /// returns the point that is nearest to where the caller's surface is met, within the extent.
+  template <typename Distance>
+  Ray_hit hit_of_own(const Index i, const Vector3& direction, const Distance& distance_of) const
+  {
+    const Vector3& p = m_points.positions[i];
+    const double distance =
+        distance_of(m_points.placement.position(p), m_points.placement.direction(direction)) /
+        m_points.extent;
+    if (!(distance > 0. && distance <= 1.)) return {};
+    Ray_hit hit;
+    hit.distance = static_cast<float>(distance);
+    m_nearest->nearest(p + hit.distance * direction, 1,
+                       [&hit](const Index nearest, float) { hit.disk = nearest; });
+    return hit;
+  }
+
+  const Oriented_points& m_points;
+  Line_of_sight_functions m_own;
+  Disk_tree m_tree; ///< without disks where the caller has a line of sight
+  std::unique_ptr<Kd_tree> m_nearest;
+  float m_outside_slope;
+};
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_LINE_OF_SIGHT_QUERY_H

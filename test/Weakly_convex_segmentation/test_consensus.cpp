@@ -1,0 +1,198 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE Consensus
+#include <boost/test/included/unit_test.hpp>
+
+#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+
+#include "shapes_for_tests.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+// What several segmentations agree on, and how the pipeline makes use of it.
+
+namespace {
+
+using namespace CGAL::Weakly_convex_segmentation;
+using namespace CGAL::Weakly_convex_segmentation::internal;
+using namespace Shapes_for_tests;
+using Labels = std::vector<int>;
+
+/// labels of runs: a label and how often it comes
+Labels runs(const std::vector<std::pair<int, std::size_t>>& of_label)
+{
+  Labels labels;
+  for (const auto& [label, count] : of_label) labels.insert(labels.end(), count, label);
+  return labels;
+}
+
+bool are_one_partition(const Labels& a, const Labels& b)
+{
+  std::map<int, int> to_b, to_a;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (to_b.emplace(a[i], b[i]).first->second != b[i] ||
+        to_a.emplace(b[i], a[i]).first->second != a[i])
+      return false;
+  return true;
+}
+
+Result segmented(const Shape_generator::Labeled_mesh& mesh, const Parameters& parameters)
+{
+  return segment_points(points_of_mesh(mesh), parameters, {});
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(segmentations_that_are_the_same_agree_on_themselves)
+{
+  std::mt19937 random(3);
+  for (const int count : {1, 2, 7, 40})
+    for (const std::size_t number : {1u, 2u, 3u, 5u})
+    {
+      Labels labels;
+      for (int i = 0; i < 500; ++i) labels.push_back(static_cast<int>(random() % count));
+      std::vector<Labels> renamed(number, labels);
+      for (std::size_t s = 0; s < number; ++s)
+        for (int& l : renamed[s]) l = (l * 7 + static_cast<int>(s)) % (count * 7 + 10);
+      BOOST_CHECK(are_one_partition(consensus_labels(renamed, 0.), labels));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(two_of_three_decide)
+{
+  const Labels apart = runs({{0, 50}, {1, 50}}), together = runs({{4, 100}});
+  BOOST_CHECK(are_one_partition(consensus_labels({apart, together, apart}, 0.), apart));
+  BOOST_CHECK(are_one_partition(consensus_labels({together, apart, together}, 0.), together));
+  // the middle of three borders
+  BOOST_CHECK(are_one_partition(
+      consensus_labels(
+          {runs({{0, 45}, {1, 55}}), runs({{2, 52}, {9, 48}}), runs({{0, 60}, {1, 40}})}, 0.),
+      runs({{0, 52}, {1, 48}})));
+}
+
+BOOST_AUTO_TEST_CASE(the_order_of_the_segmentations_does_not_matter)
+{
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    std::vector<Labels> segmentations(3);
+    for (Labels& labels : segmentations)
+      while (labels.size() < 400)
+        labels.insert(labels.end(), 1 + random() % 60, static_cast<int>(random() % 6));
+    for (Labels& labels : segmentations) labels.resize(400);
+    const Labels agreed = consensus_labels(segmentations, 0.);
+    std::swap(segmentations[0], segmentations[2]);
+    BOOST_CHECK(are_one_partition(agreed, consensus_labels(segmentations, 0.)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(small_segments_join_what_they_agree_with_most)
+{
+  // three points that are once with the first, once with the second and once on their own
+  const std::vector<Labels> segmentations = {runs({{0, 53}, {1, 50}}), runs({{0, 50}, {1, 53}}),
+                                             runs({{0, 50}, {2, 3}, {1, 50}})};
+  const Labels all = consensus_labels(segmentations, 0.);
+  BOOST_CHECK_EQUAL(std::set<int>(all.begin(), all.end()).size(), 3u);
+  const Labels large = consensus_labels(segmentations, 4.);
+  BOOST_CHECK_EQUAL(std::set<int>(large.begin(), large.end()).size(), 2u);
+  BOOST_CHECK(large[0] != large[102]);
+}
+
+BOOST_AUTO_TEST_CASE(what_nothing_agrees_with_stays)
+{
+  const Labels labels = runs({{0, 100}, {1, 1}});
+  BOOST_CHECK(are_one_partition(consensus_labels({labels, labels}, 50.), labels));
+}
+
+BOOST_AUTO_TEST_CASE(patches_take_the_label_of_most_points)
+{
+  Patches patches;
+  patches.of_point = {0, 0, 0, 1, 1, 2, 2, 2};
+  patches.members = {{0, 1, 2}, {3, 4}, {5, 6, 7}};
+  const Labels labels = {5, 5, 7, 7, 5, 7, 9, 7};
+  BOOST_CHECK(patch_labels(patches, labels) == (Labels{5, 5, 7}));
+  // 2, 3: to the first patch of label 7; 6: no patch has label 9, so it keeps its own
+  BOOST_CHECK(patches_of_labels(patches, {5, 5, 7}, labels) == (Labels{0, 0, 2, 2, 1, 2, 2, 2}));
+}
+
+BOOST_AUTO_TEST_CASE(the_merge_tree_has_the_segments_that_are_agreed_on)
+{
+  for (const std::string& name : Shape_generator::shape_names())
+  {
+    const auto mesh = Shape_generator::make_mesh(name, 8000);
+    for (const bool fitted : {false, true})
+    {
+      Parameters parameters = fitted ? Parameters::fitted() : Parameters();
+      parameters.refinement = Refinement_rule::NONE;
+      parameters.number_of_patch_sets = 4;
+      const Result result = segmented(mesh, parameters);
+      const Merge_tree& tree = result.merge_tree;
+      BOOST_CHECK_EQUAL(tree.merges().size() + 1, tree.number_of_patches());
+      BOOST_CHECK_LE(tree.number_of_fusions(), tree.number_of_accepted_merges());
+      BOOST_CHECK(tree.labels_at_cost(fitted ? parameters.fitted_merging_threshold
+                                             : parameters.merging_threshold) ==
+                  tree.labels_after(tree.number_of_accepted_merges()));
+      BOOST_CHECK_EQUAL(result.number_of_segments(),
+                        tree.number_of_patches() - tree.number_of_accepted_merges());
+      // most points of a patch are in its region
+      const Labels regions = tree.labels_after(tree.number_of_accepted_merges());
+      std::map<int, std::map<int, std::size_t>> labels_of_region;
+      for (std::size_t i = 0; i < result.labels.size(); ++i)
+        ++labels_of_region[regions[result.patches[i]]][result.labels[i]];
+      std::size_t most = 0;
+      for (const auto& [region, counts] : labels_of_region)
+        most += std::max_element(counts.begin(), counts.end(),
+                                 [](const auto& a, const auto& b) { return a.second < b.second; })
+                    ->second;
+      BOOST_CHECK_GT(most, 8 * result.labels.size() / 10);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(fewer_segments_can_be_asked_for)
+{
+  const auto mesh = Shape_generator::make_mesh("hand", 3000);
+  Parameters parameters;
+  for (const std::size_t most : {1u, 2u, 3u})
+  {
+    parameters.maximum_number_of_segments = most;
+    BOOST_CHECK_EQUAL(segmented(mesh, parameters).number_of_segments(), most);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_segments_are_steadier_than_those_of_one_set)
+{
+  double of_one = 0., of_three = 0.;
+  const auto shapes = {"two_spheres", "cup", "hand", "four_leg", "figure", "airplane", "octopus"};
+  for (const char* name : shapes) // a single one may be worse by chance
+  {
+    const auto mesh = Shape_generator::make_mesh(name, 5000);
+    const auto change = [&](const std::size_t sets)
+    {
+      Parameters parameters;
+      parameters.number_of_patch_sets = sets;
+      std::vector<Labels> labels;
+      for (const unsigned int seed : {1u, 2u, 3u, 4u})
+      {
+        parameters.seed = seed;
+        labels.push_back(segmented(mesh, parameters).labels);
+      }
+      double sum = 0.;
+      for (std::size_t a = 0; a < labels.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) sum += rand_distance(labels[a], labels[b]);
+      return sum / 6.;
+    };
+    of_one += change(1);
+    of_three += change(3);
+  }
+  BOOST_TEST_MESSAGE("change with the seed: " << of_one / 7. << " of one set, " << of_three / 7.
+                                              << " of three");
+  BOOST_CHECK_LT(of_three, of_one);
+}

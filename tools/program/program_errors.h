@@ -1,0 +1,61 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_PROGRAM_ERRORS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_PROGRAM_ERRORS_H
+
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+// How all programs end: with exit code 0, or 1 and one line on standard error.
+
+namespace Program_errors {
+
+// Names of files and messages of libraries may hold line ends, but an error is one line.
+inline std::string one_line(std::string message)
+{
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  return message;
+}
+
+// Throws if standard output could not be written.
+inline void flush_standard_output()
+{
+  if (!std::cout.flush())
+    throw std::runtime_error("standard output can't be written; check where it goes");
+}
+
+// Calls `work` and returns the exit code.
+template <typename Work>
+int run(const std::string& program, const Work& work)
+{
+  // A reader that goes away, or a file that may not become larger, shows as an error of writing: what
+  // was begun is removed.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  try
+  {
+    work();
+    flush_standard_output();
+    return EXIT_SUCCESS;
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << program << ": there is not enough memory; take a smaller shape\n";
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << program << ": " << one_line(error.what()) << '\n';
+  }
+  return EXIT_FAILURE;
+}
+
+} // namespace Program_errors
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_PROGRAM_ERRORS_H

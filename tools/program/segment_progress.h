@@ -1,0 +1,86 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_SEGMENT_PROGRESS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_SEGMENT_PROGRESS_H
+
+#include <CGAL/Weakly_convex_segmentation/Visitor.h>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <iostream>
+#include <string>
+
+#include <unistd.h>
+
+// What segment_shape follows while the segmentation runs.
+
+namespace Segment_shape {
+
+namespace WCS = CGAL::Weakly_convex_segmentation;
+
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+// Measures the seconds of each stage.
+class Stage_times : public WCS::Visitor
+{
+public:
+  void stage_begins(const WCS::Stage stage) override
+  {
+    m_stage = stage;
+    m_stopwatch = Stopwatch();
+  }
+
+  void stage_ends(const WCS::Stage stage, std::size_t) override
+  {
+    m_seconds[static_cast<std::size_t>(stage)] += m_stopwatch.seconds();
+  }
+
+  WCS::Stage stage() const { return m_stage; } // the last that began
+  double seconds(const WCS::Stage of) const { return m_seconds[static_cast<std::size_t>(of)]; }
+
+private:
+  WCS::Stage m_stage = WCS::Stage::SAMPLING;
+  Stopwatch m_stopwatch;
+  std::array<double, WCS::number_of_stages> m_seconds{};
+};
+
+// Shows how far the work is, on a terminal only, and wipes the line at the end.
+class Progress_line
+{
+public:
+  explicit Progress_line(const bool quiet) : m_is_shown(!quiet && isatty(STDERR_FILENO) == 1) {}
+  ~Progress_line()
+  {
+    if (m_percent >= 0) std::cerr << "\r\033[K" << std::flush;
+  }
+  Progress_line(const Progress_line&) = delete;
+  Progress_line& operator=(const Progress_line&) = delete;
+
+  void show(const double share, const std::string& what)
+  {
+    const int percent = static_cast<int>(100. * share);
+    if (!m_is_shown || percent == m_percent) return;
+    m_percent = percent;
+    std::cerr << "\r\033[K" << percent << " % " << what << std::flush;
+  }
+
+private:
+  bool m_is_shown;
+  int m_percent = -1;
+};
+
+} // namespace Segment_shape
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_SEGMENT_PROGRESS_H

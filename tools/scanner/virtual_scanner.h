@@ -1,0 +1,276 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_SCANNER_VIRTUAL_SCANNER_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_SCANNER_VIRTUAL_SCANNER_H
+
+#include "scanner/depth_normals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+// A depth camera that looks at a mesh from some viewpoints, as scanners do: it sees one side of what is
+// in front, with noise, and nothing of what it grazes. A depth buffer finds the first hits.
+//
+// A mesh is anything with `points` (three doubles each) and `faces` (three indices each).
+
+namespace Virtual_scanner {
+
+struct Camera
+{
+  std::size_t resolution = 200;  // pixels along a side of the square image
+  double field_of_view = 40.;    // full angle along a side, in degrees
+  double distance = 1.6;         // from the shape's center, in diameters of its bounding sphere
+  double noise = 0.;             // standard deviation along the ray, in diameters
+  double quantum = 0.;           // step of the measured depths, in diameters; 0: none
+  double grazing_angle = 85.;    // degrees between ray and normal from which nothing returns
+  std::size_t normal_radius = 2; // half side of the window of pixels that a normal comes from
+};
+
+// What a depth camera of the time when they became common measures of an object of half a meter from
+// a meter away: an error of a millimeter, steps of half a millimeter.
+inline Camera realistic_camera()
+{
+  Camera camera;
+  camera.noise = 0.002;
+  camera.quantum = 0.001;
+  camera.grazing_angle = 80.;
+  camera.normal_radius = 4;
+  return camera;
+}
+
+struct Scan
+{
+  std::vector<Point> points;
+  std::vector<Point> normals;     // of length one, towards the camera that saw the point
+  std::vector<std::size_t> faces; // which face of the mesh was hit
+  std::vector<int> views;         // which viewpoint saw it
+};
+
+struct Bounding_sphere
+{
+  Point center{};
+  double diameter = 0.;
+};
+
+namespace internal {
+
+struct Pose
+{
+  Point eye{}, right{}, up{}, forward{};
+};
+
+struct Hit
+{
+  double depth = std::numeric_limits<double>::infinity(); // along the viewing direction
+  std::size_t face = 0;
+};
+
+inline Pose look_at(const Point& eye, const Point& target)
+{
+  Pose pose;
+  pose.eye = eye;
+  pose.forward = normalized(target - eye);
+  const Point helper = std::abs(pose.forward[2]) < 0.9 ? Point{0., 0., 1.} : Point{1., 0., 0.};
+  pose.right = normalized(cross(pose.forward, helper));
+  pose.up = cross(pose.right, pose.forward);
+  return pose;
+}
+
+// A point in the image: column and row in pixels, and 1 / depth, which is linear in both.
+inline Point project(const Pose& pose, const Point& p, const double focal, const double middle)
+{
+  const Point d = p - pose.eye;
+  const double depth = dot(d, pose.forward);
+  return {middle + focal * dot(d, pose.right) / depth, middle + focal * dot(d, pose.up) / depth,
+          1. / depth};
+}
+
+inline double doubled_area(const Point& a, const Point& b, const double x, const double y)
+{
+  return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+}
+
+inline void draw(const std::array<Point, 3>& t, const std::size_t face, const std::size_t side,
+                 std::vector<Hit>& hits)
+{
+  const double area = doubled_area(t[0], t[1], t[2][0], t[2][1]);
+  if (!(std::abs(area) > 0.)) return;
+  const auto pixel_range = [&](const int axis)
+  {
+    const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+    const double last = static_cast<double>(side) - 1.;
+    return std::array<long, 2>{static_cast<long>(std::ceil((std::max)(low, 0.))),
+                               static_cast<long>(std::floor((std::min)(high, last)))};
+  };
+  const std::array<long, 2> columns = pixel_range(0), rows = pixel_range(1);
+  for (long row = rows[0]; row <= rows[1]; ++row)
+    for (long column = columns[0]; column <= columns[1]; ++column)
+    {
+      const double x = static_cast<double>(column), y = static_cast<double>(row);
+      const double a = doubled_area(t[1], t[2], x, y) / area;
+      const double b = doubled_area(t[2], t[0], x, y) / area;
+      if (a < 0. || b < 0. || a + b > 1.) continue;
+      const double depth = 1. / (a * t[0][2] + b * t[1][2] + (1. - a - b) * t[2][2]);
+      Hit& hit = hits[static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column)];
+      if (depth < hit.depth) hit = {depth, face};
+    }
+}
+
+template <typename Mesh>
+Point face_normal(const Mesh& mesh, const std::size_t face)
+{
+  const auto& f = mesh.faces[face];
+  return normalized(
+      cross(mesh.points[f[1]] - mesh.points[f[0]], mesh.points[f[2]] - mesh.points[f[0]]));
+}
+
+template <typename Mesh>
+std::vector<Hit> first_hits(const Mesh& mesh, const Pose& pose, const Camera& camera,
+                            const double focal)
+{
+  const double middle = 0.5 * (static_cast<double>(camera.resolution) - 1.);
+  std::vector<Point> projected;
+  for (const auto& p : mesh.points) projected.push_back(project(pose, p, focal, middle));
+  std::vector<Hit> hits(camera.resolution * camera.resolution);
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face)
+  {
+    const auto& f = mesh.faces[face];
+    const std::array<Point, 3> triangle = {projected[f[0]], projected[f[1]], projected[f[2]]};
+    // what is behind the camera is not in the image
+    if (triangle[0][2] > 0. && triangle[1][2] > 0. && triangle[2][2] > 0.)
+      draw(triangle, face, camera.resolution, hits);
+  }
+  return hits;
+}
+
+inline double measured(const double range, const Camera& camera, const double diameter,
+                       std::mt19937& random)
+{
+  double result = range;
+  if (camera.noise > 0.)
+    result += std::normal_distribution<double>(0., camera.noise * diameter)(random);
+  const double step = camera.quantum * diameter;
+  return step > 0. ? step * std::round(result / step) : result;
+}
+
+template <typename Mesh>
+void scan_from(const Mesh& mesh, const Pose& pose, const int view, const Camera& camera,
+               const double diameter, std::mt19937& random, Scan& scan)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const std::size_t side = camera.resolution;
+  const double middle = 0.5 * (static_cast<double>(side) - 1.);
+  const double focal = middle / std::tan(0.5 * camera.field_of_view * pi / 180.);
+  const double least_cosine = std::cos(camera.grazing_angle * pi / 180.);
+  const std::vector<Hit> hits = first_hits(mesh, pose, camera, focal);
+  Depth_image image{side, side, std::vector<Point>(hits.size()), std::vector<char>(hits.size(), 0)};
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    if (!std::isfinite(hits[i].depth)) continue;
+    const double x = (static_cast<double>(i % side) - middle) / focal;
+    const double y = (static_cast<double>(i / side) - middle) / focal;
+    const Point ray = pose.forward + x * pose.right + y * pose.up;
+    const Point unit = normalized(ray);
+    // either side of a face is seen: scanners don't know which is the outer one
+    if (std::abs(dot(unit, face_normal(mesh, hits[i].face))) < least_cosine) continue;
+    const double range = hits[i].depth * std::sqrt(dot(ray, ray));
+    image.points[i] = pose.eye + measured(range, camera, diameter, random) * unit;
+    image.is_known[i] = 1;
+  }
+  const std::vector<Point> normals = estimate_normals(image, pose.eye, camera.normal_radius);
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    if (image.is_known[i] == 0 || dot(normals[i], normals[i]) == 0.) continue;
+    scan.points.push_back(image.points[i]);
+    scan.normals.push_back(normals[i]);
+    scan.faces.push_back(hits[i].face);
+    scan.views.push_back(view);
+  }
+}
+
+} // namespace internal
+
+// A sphere that holds the mesh, about the center of its bounding box.
+template <typename Mesh>
+Bounding_sphere bounding_sphere(const Mesh& mesh)
+{
+  if (mesh.points.empty() || mesh.faces.empty())
+    throw std::invalid_argument("Virtual_scanner: the mesh has no faces; there is nothing to scan");
+  Point low = mesh.points.front(), high = low;
+  for (const auto& p : mesh.points)
+    for (int i = 0; i < 3; ++i)
+    {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+  Bounding_sphere sphere;
+  sphere.center = 0.5 * (low + high);
+  for (const auto& p : mesh.points)
+  {
+    const Point d = p - sphere.center;
+    sphere.diameter = (std::max)(sphere.diameter, 2. * std::sqrt(dot(d, d)));
+  }
+  if (!(sphere.diameter > 0.))
+    throw std::invalid_argument("Virtual_scanner: the mesh has no extent; check its points");
+  return sphere;
+}
+
+// Directions spread evenly over the sphere, turned at random by the seed.
+inline std::vector<Point> view_directions(const std::size_t count, const unsigned seed)
+{
+  constexpr double pi = 3.14159265358979323846;
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto draw = [&] { return Point{normal(random), normal(random), normal(random)}; };
+  const Point x = internal::normalized(draw());
+  const Point y = internal::normalized(internal::cross(x, draw()));
+  const Point z = internal::cross(x, y);
+  const double golden_angle = pi * (3. - std::sqrt(5.));
+  std::vector<Point> directions;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double h = 1. - (2. * static_cast<double>(i) + 1.) / static_cast<double>(count);
+    const double r = std::sqrt(1. - h * h), a = golden_angle * static_cast<double>(i);
+    directions.push_back(r * std::cos(a) * x + r * std::sin(a) * y + h * z);
+  }
+  return directions;
+}
+
+// The points that a camera at `views` viewpoints around the mesh sees.
+// Throws std::invalid_argument for a mesh without faces or extent and for a camera that sees nothing.
+template <typename Mesh>
+Scan scan_mesh(const Mesh& mesh, const std::size_t views, const Camera& camera, const unsigned seed)
+{
+  if (camera.resolution < 2 || camera.resolution > 10000)
+    throw std::invalid_argument("Virtual_scanner: the resolution has to be from 2 to 10000 pixels");
+  if (!(camera.field_of_view > 0. && camera.field_of_view < 179.))
+    throw std::invalid_argument("Virtual_scanner: the field of view has to be within 0 and 179");
+  if (!(camera.distance > 0.5))
+    throw std::invalid_argument(
+        "Virtual_scanner: the camera has to be outside of the shape: take a "
+        "distance above 0.5 diameters");
+  if (!(camera.noise >= 0. && camera.quantum >= 0.))
+    throw std::invalid_argument("Virtual_scanner: noise and quantum have to be at least 0");
+  const Bounding_sphere sphere = bounding_sphere(mesh);
+  std::mt19937 random(seed);
+  Scan scan;
+  int view = 0;
+  for (const Point& direction : view_directions(views, seed))
+  {
+    const Point eye = sphere.center + camera.distance * sphere.diameter * direction;
+    internal::scan_from(mesh, internal::look_at(eye, sphere.center), view++, camera,
+                        sphere.diameter, random, scan);
+  }
+  return scan;
+}
+
+} // namespace Virtual_scanner
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_SCANNER_VIRTUAL_SCANNER_H

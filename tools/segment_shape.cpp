@@ -1,0 +1,256 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Segments a shape in a file, or a generated one, and writes the parts. See --help.
+
+#include "io/gaps.h"
+#include "io/nearest_elements.h"
+#include "io/shape_io.h"
+#include "program/cgal_diameters.h"
+#include "program/interruption.h"
+#include "program/program_errors.h"
+#include "program/segment_options.h"
+#include "program/segment_outputs.h"
+#include "program/segment_progress.h"
+#include "program/segment_report.h"
+#include "program/thread_limit.h"
+#include "shapes/shape_generator.h"
+#include "view/write_view.h"
+
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+#include <CGAL/version.h>
+#include <CGAL/weakly_convex_segmentation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace WCS = CGAL::Weakly_convex_segmentation;
+using Segment_shape::Options;
+using Segment_shape::Run;
+using Shape_io::Shape;
+
+Shape generated_shape(const std::string& name)
+{
+  const Shape_generator::Labeled_mesh mesh = Shape_generator::make_mesh(name);
+  Shape shape;
+  for (const auto& p : mesh.points) shape.points.emplace_back(p[0], p[1], p[2]);
+  for (const auto& f : mesh.faces) shape.polygons.emplace_back(f.begin(), f.end());
+  return shape;
+}
+
+// The elements of a cloud are its indices: the maps look points and normals up where they lie.
+template <typename Concurrency_tag, typename Named_parameters>
+WCS::Result segment_cloud(const Shape& shape, const WCS::Parameters& parameters,
+                          const Named_parameters& np)
+{
+  std::vector<std::size_t> indices(shape.points.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  std::vector<int> labels(shape.points.size());
+  const auto label_map = CGAL::make_property_map(labels);
+  const auto with_points = np.point_map(CGAL::make_property_map(shape.points));
+  if (shape.normals.empty())
+    return CGAL::weakly_convex_segmentation<Concurrency_tag>(indices, label_map, parameters,
+                                                             with_points);
+  return CGAL::weakly_convex_segmentation<Concurrency_tag>(
+      indices, label_map, parameters,
+      with_points.normal_map(CGAL::make_property_map(shape.normals)));
+}
+
+template <typename Concurrency_tag>
+WCS::Result segment_with(const Shape& shape, const Options& options,
+                         Segment_shape::Stage_times& stages)
+{
+  Segment_shape::Progress_line progress(options.quiet);
+  const std::function<bool(double)> go_on = [&](const double share)
+  {
+    progress.show(share, WCS::stage_name(stages.stage()));
+    return !Program_errors::Interruption::happened();
+  };
+  const auto np = CGAL::parameters::callback(go_on).visitor(std::ref(stages));
+  const bool has_given = options.parameters.diameter == WCS::Diameter_rule::GIVEN;
+  if (has_given && !shape.is_mesh())
+    throw std::invalid_argument("a cloud of points has no diameters by CGAL; use --diameters own");
+  if (shape.is_mesh())
+  {
+    const std::vector<double> diameters =
+        has_given ? Segment_shape::cgal_diameters(shape, options.parameters)
+                  : std::vector<double>();
+    WCS::Segmenter<Concurrency_tag> segmenter(shape.points, shape.polygons, options.parameters, np);
+    if (has_given) segmenter.set_diameters(diameters);
+    return segmenter.segment(options.parameters);
+  }
+  return segment_cloud<Concurrency_tag>(shape, options.parameters, np);
+}
+
+WCS::Result segment(const Shape& shape, const Options& options, Segment_shape::Stage_times& stages)
+{
+  using Segment_shape::Thread_limit;
+  const Thread_limit limit(options.number_of_threads);
+  if (options.number_of_threads == 1)
+    return segment_with<CGAL::Sequential_tag>(shape, options, stages);
+  if (!Thread_limit::has_threads && options.number_of_threads > 1 && !options.quiet)
+    std::cerr << "segment_shape: built without TBB, so one thread is used\n";
+  return segment_with<CGAL::Parallel_if_available_tag>(shape, options, stages);
+}
+
+Shape_io::Parts parts_at(const WCS::Level level, const Shape& shape, const WCS::Result& result)
+{
+  Shape_io::Parts parts;
+  parts.labels = result.labels_at(level);
+  for (const int label : result.labels)
+    parts.quality.push_back(result.segments[static_cast<std::size_t>(label)].convexity_rank);
+
+  Shape_io::Neighbors neighbors;
+  if (level == WCS::Level::SEGMENTS)
+    for (const WCS::Segment& s : result.segments) neighbors.push_back(s.neighbors);
+  else
+  {
+    const int last = *std::max_element(parts.labels.begin(), parts.labels.end());
+    neighbors = Shape_io::part_neighbors(shape, parts.labels, static_cast<std::size_t>(last) + 1);
+  }
+  parts.colors = Shape_io::part_colors(neighbors);
+  return parts;
+}
+
+// The parts of what the labels are carried to.
+Shape_io::Parts parts_of_nearest(const Shape& from, const Shape_io::Parts& parts, const Shape& to)
+{
+  Shape_io::Parts result;
+  result.colors = parts.colors;
+  for (const std::size_t source : Shape_io::nearest_elements(from, to))
+  {
+    const bool is_known = source != Shape_io::no_element;
+    result.labels.push_back(is_known ? parts.labels[source] : -1);
+    result.quality.push_back(is_known ? parts.quality[source] : 0.);
+  }
+  return result;
+}
+
+// Where the page without a shape is. It is made with the project, or lies where the user says.
+std::string path_of_page()
+{
+  const char* const folder = std::getenv("WCS_VIEW_DIR");
+  return std::string(folder ? folder : WEAKLY_CONVEX_SEGMENTATION_VIEW_DIR) + "/page.html";
+}
+
+template <typename Parts_of>
+void write_view(Segment_shape::Outputs& outputs,
+                const std::optional<Segment_shape::View_page>& page, const Shape& shape,
+                const Parts_of& parts_of, const Run& run)
+{
+  outputs.write_view(page, shape,
+                     {{"patches", "patch", parts_of(WCS::Level::PATCHES)},
+                      {"components", "component", parts_of(WCS::Level::COMPONENTS)},
+                      {"segments", "segment", parts_of(WCS::Level::SEGMENTS)}},
+                     run);
+}
+
+void print_files(std::ostream& out, const Options& options)
+{
+  for (const std::string& file : Segment_shape::output_files(options))
+    if (file != "-") out << "wrote " << file << '\n';
+  if (!options.split_folder.empty()) out << "wrote parts to " << options.split_folder << '\n';
+}
+
+std::string name_of_input(const Options& options)
+{
+  if (options.input.empty()) return options.shape + " (generated)";
+  return options.input == "-" ? "standard input" : options.input;
+}
+
+void check_outputs(const Options& options)
+{
+  std::vector<std::string> files = Segment_shape::output_files(options);
+  Shape_io::check_output_places(files, {options.input, options.dense_file});
+  for (const std::string& file : files) Shape_io::Atomic_file::check(file);
+  files.insert(files.end(), {options.input, options.dense_file});
+  if (!options.split_folder.empty())
+    Segment_shape::Split_folder::check_no_part(options.split_folder, files);
+}
+
+void segment_shape(const Options& options)
+{
+  check_outputs(options);
+  std::optional<Segment_shape::View_page> page;
+  if (!options.view_file.empty()) page.emplace(path_of_page());
+  Run run;
+  run.name = name_of_input(options);
+  const Segment_shape::Stopwatch reading;
+  const Shape shape = options.input.empty()
+                          ? generated_shape(options.shape)
+                          : Shape_io::read_shape(options.input, Shape_io::Gaps::ALLOWED);
+  std::optional<Shape> dense;
+  if (!options.dense_file.empty())
+    dense = Shape_io::read_shape(options.dense_file, Shape_io::Gaps::ALLOWED);
+  run.seconds_of_reading = reading.seconds();
+  const Shape_io::Measured_shape measured(shape);
+  run.number_of_gaps = measured.number_of_gaps();
+
+  const Program_errors::Interruption interruption;
+  Segment_shape::Outputs outputs(options);
+  const Segment_shape::Stopwatch segmentation;
+  run.result = segment(measured.shape(), options, run.stages);
+  run.seconds_of_segmentation = segmentation.seconds();
+  const auto parts_of = [&](const WCS::Level level)
+  {
+    const Shape_io::Parts parts = parts_at(level, measured.shape(), run.result);
+    return dense ? parts_of_nearest(measured.shape(), parts, *dense) : measured.spread(parts);
+  };
+  const Shape& written = dense ? *dense : shape;
+  outputs.write(written, parts_of(options.level));
+  if (page) write_view(outputs, page, written, parts_of, run);
+  outputs.write_stats(shape, run);
+  outputs.finish();
+  const std::vector<std::string> files = Segment_shape::output_files(options);
+  const bool is_standard_output_taken = std::count(files.begin(), files.end(), "-") > 0;
+  std::ostream& out = is_standard_output_taken ? std::cerr : std::cout;
+  if (!options.quiet) Segment_shape::print_summary(out, shape, run);
+  // before the files take their places: if this fails there are to be none
+  Program_errors::flush_standard_output();
+  outputs.commit();
+  if (!options.quiet) print_files(out, options);
+}
+
+void run_program(const int argc, const char* const argv[])
+{
+  const Options options = Segment_shape::read_options(argc, argv);
+  if (options.help)
+    Segment_shape::print_help(std::cout);
+  else if (options.version)
+    std::cout << "segment_shape " << WEAKLY_CONVEX_SEGMENTATION_VERSION << ", with CGAL "
+              << CGAL_STRINGIZE(CGAL_VERSION) << '\n';
+  else
+    segment_shape(options);
+}
+
+} // namespace
+
+int main(const int argc, char* argv[])
+{
+  // CGAL prints errors before it throws them; they are printed once, as one line.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  return Program_errors::run("segment_shape",
+                             [&]
+                             {
+                               try
+                               {
+                                 run_program(argc, argv);
+                               }
+                               catch (const WCS::Canceled&)
+                               {
+                                 throw std::runtime_error(Program_errors::Interruption::message());
+                               }
+                             });
+}
