@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_is_told_of_the_stages_in_order)
     const auto size_of = [&](const Stage stage) { return sizes[static_cast<std::size_t>(stage)]; };
     BOOST_CHECK_EQUAL(size_of(Stage::SAMPLING), hand().size());
     BOOST_CHECK_GE(size_of(Stage::NEIGHBORS), 5 * hand().size());
-    BOOST_CHECK_EQUAL(size_of(Stage::PATCHES), result.merge_tree.number_of_patches());
+    BOOST_CHECK_LE(size_of(Stage::PATCHES), result.merge_tree.number_of_patches());
     BOOST_CHECK_EQUAL(size_of(Stage::VISIBILITY), hand().size());
     BOOST_CHECK_EQUAL(size_of(Stage::FUSION), result.number_of_components);
     BOOST_CHECK_EQUAL(size_of(Stage::MERGING), result.merge_tree.number_of_patches() -

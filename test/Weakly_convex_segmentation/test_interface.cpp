@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(a_segmenter_gives_what_the_function_gives)
   BOOST_CHECK(in_two.labels == CGAL::weakly_convex_segmentation(mesh, nowhere(), coarse).labels);
   // what was seen in between changes nothing
   BOOST_CHECK(segmenter.segment(Parameters()).labels == once.labels);
-  BOOST_CHECK_EQUAL(segmenter.number_of_patches(), once.merge_tree.number_of_patches());
+  BOOST_CHECK_LE(segmenter.number_of_patches(), once.merge_tree.number_of_patches());
 }
 
 BOOST_AUTO_TEST_CASE(another_granularity_without_running_again)
@@ -267,35 +267,40 @@ BOOST_AUTO_TEST_CASE(another_granularity_without_running_again)
   unrefined.refinement = WCS::Refinement_rule::NONE;
   for (const std::size_t wanted : {1u, 2u, 3u, 5u, 12u})
   {
-    const Result cut = segmenter.refine(tree, tree.labels_for(wanted), unrefined);
+    const Result cut = segmenter.refine(result, tree.labels_for(wanted), unrefined);
     check_result(cut, result.labels.size());
     BOOST_CHECK_EQUAL(cut.number_of_segments(), wanted);
     for (std::size_t i = 0; i < cut.labels.size(); ++i) // whole patches
       BOOST_REQUIRE_EQUAL(cut.patches[i], result.patches[i]);
     BOOST_CHECK_LE(
-        segmenter.refine(tree, tree.labels_for(wanted), Parameters()).number_of_segments(), wanted);
+        segmenter.refine(result, tree.labels_for(wanted), Parameters()).number_of_segments(),
+        wanted);
   }
-  const Result patches = segmenter.refine(tree, tree.labels_after(0), unrefined);
+  const Result patches = segmenter.refine(result, tree.labels_after(0), unrefined);
   BOOST_CHECK_EQUAL(rand_distance(patches.labels, result.patches), 0.);
   const Result same =
-      segmenter.refine(tree, tree.labels_after(tree.number_of_accepted_merges()), {});
+      segmenter.refine(result, tree.labels_after(tree.number_of_accepted_merges()), {});
   BOOST_CHECK(same.labels == result.labels);
 
   // gaps between the labels do not matter, but there must be one a patch
   std::vector<int> labels = tree.labels_for(2);
   for (int& l : labels) l = l == 0 ? 11 : 7;
-  BOOST_CHECK(segmenter.refine(tree, labels, unrefined).labels ==
-              segmenter.refine(tree, tree.labels_for(2), unrefined).labels);
+  BOOST_CHECK(segmenter.refine(result, labels, unrefined).labels ==
+              segmenter.refine(result, tree.labels_for(2), unrefined).labels);
   labels.pop_back();
-  BOOST_CHECK_THROW(segmenter.refine(tree, labels, {}), std::invalid_argument);
+  BOOST_CHECK_THROW(segmenter.refine(result, labels, {}), std::invalid_argument);
   for (const int bad : {-1, static_cast<int>(tree.number_of_patches())})
   {
     labels.assign(tree.number_of_patches(), bad);
-    BOOST_CHECK_THROW(segmenter.refine(tree, labels, {}), std::invalid_argument);
+    BOOST_CHECK_THROW(segmenter.refine(result, labels, {}), std::invalid_argument);
   }
+  Result of_another_shape = result;
+  of_another_shape.patches.pop_back();
+  BOOST_CHECK_THROW(segmenter.refine(of_another_shape, tree.labels_for(2), {}),
+                    std::invalid_argument);
   Parameters wide;
   wide.band_width = 2.;
-  BOOST_CHECK_THROW(segmenter.refine(tree, tree.labels_for(2), wide), std::invalid_argument);
+  BOOST_CHECK_THROW(segmenter.refine(result, tree.labels_for(2), wide), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(labels_at_the_three_levels)

@@ -347,7 +347,7 @@ BOOST_AUTO_TEST_CASE(merge_tree_by_hand)
   tree.set_fused();
   tree.add(0, 4, 0.2);
   tree.add(0, 1, 0.6);
-  tree.set_accepted();
+  tree.set_accepted(0.5);
   tree.add(2, 4, 0.3);
   BOOST_CHECK_EQUAL(tree.number_of_patches(), 5u);
   BOOST_CHECK_EQUAL(tree.number_of_fusions(), 1u);
@@ -365,7 +365,9 @@ BOOST_AUTO_TEST_CASE(merge_tree_by_hand)
   BOOST_CHECK_THROW(tree.labels_for(6), std::invalid_argument);
   BOOST_CHECK(tree.labels_at_cost(0.) == tree.labels_after(1)); // what was fused stays
   BOOST_CHECK(tree.labels_at_cost(0.2) == tree.labels_after(2));
-  BOOST_CHECK(tree.labels_at_cost(0.5) == tree.labels_after(2)); // the first dear merge ends it
-  BOOST_CHECK(tree.labels_at_cost(0.6) == tree.labels_after(4));
+  BOOST_CHECK(tree.labels_at_cost(0.4) == tree.labels_after(2));
+  BOOST_CHECK(tree.labels_at_cost(0.5) ==
+              tree.labels_after(3)); // within the segments: no more than 0.5
+  BOOST_CHECK(tree.labels_at_cost(0.6) == tree.labels_after(4)); // beyond: more than 0.5
   BOOST_CHECK(Merge_tree().labels_after(3).empty());
 }

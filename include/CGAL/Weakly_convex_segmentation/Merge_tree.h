@@ -10,7 +10,9 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_TREE_H
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -69,13 +71,14 @@ public:
   }
 
   /// returns the region of each patch if merging had stopped at the first merge of components, in
-  /// order, that costs more than `threshold`. Costs are on the scale of `Parameters::merging_threshold`
+  /// order, that costs more than `threshold`. Merges within the segments count as no more than the threshold
+  /// that the segments were made with, those beyond as more. Costs are on the scale of `Parameters::merging_threshold`
   /// in the default preset, of `Parameters::fitted_merging_threshold` in the fitted one.
   /// Complexity: that of `labels_after()`, and linear in the number of merges.
   std::vector<int> labels_at_cost(const double threshold) const
   {
     std::size_t i = m_fusions;
-    while (i < m_merges.size() && m_merges[i].cost <= threshold) ++i;
+    while (i < m_merges.size() && decisive_cost(i) <= threshold) ++i;
     return labels_after(i);
   }
 
@@ -85,13 +88,27 @@ public:
     m_merges.push_back({first, second, cost});
   }
   void set_fused() { m_fusions = m_merges.size(); }
-  void set_accepted() { m_accepted = m_merges.size(); }
+  void set_accepted(const double threshold)
+  {
+    m_accepted = m_merges.size();
+    m_threshold = threshold;
+  }
   /// \endcond
 
 private:
+  /// Segments were decided at a threshold, by the costs in several sets of patches: what made them costs no
+  /// more than that here, and what goes on costs more.
+  double decisive_cost(const std::size_t i) const
+  {
+    if (i < m_accepted) return (std::min)(m_merges[i].cost, m_threshold);
+    return (std::max)(m_merges[i].cost,
+                      std::nextafter(m_threshold, std::numeric_limits<double>::infinity()));
+  }
+
   std::size_t m_number_of_patches = 0;
   std::size_t m_fusions = 0;
   std::size_t m_accepted = 0;
+  double m_threshold = 0.; ///< at which the segments were decided
   std::vector<Merge> m_merges;
 };
 

@@ -66,15 +66,6 @@ std::unique_ptr<Shape_analysis> analyze_input(const Input& input, const NamedPar
   return shape;
 }
 
-inline Result segment(Shape_analysis& shape, const Parameters& parameters,
-                      const Run_control& control, const Merge_cost& own_cost)
-{
-  parameters.check();
-  Contraction contraction = contract_patches(shape, parameters, control, own_cost);
-  const std::vector<int> regions = regions_at(contraction.tree, Level::SEGMENTS);
-  return finish_segmentation(shape, std::move(contraction), regions, parameters, control);
-}
-
 /// `weakly_convex_segmentation()` with named parameters of CGAL's class.
 template <typename ConcurrencyTag, typename Input, typename LabelMap, typename NamedParameters>
 Result segment_input(const Input& input, LabelMap label_map, const NamedParameters& np)
@@ -85,7 +76,7 @@ Result segment_input(const Input& input, LabelMap label_map, const NamedParamete
   {
     const Run_control control = read_control<ConcurrencyTag>(np);
     const auto shape = analyze_input<ConcurrencyTag>(input, np, control);
-    Result result = segment(*shape, read_parameters(np), control, read_merge_cost(np));
+    Result result = segment_shape(*shape, read_parameters(np), control, read_merge_cost(np));
     if constexpr (is_given<NamedParameters, names::level_t>)
       write_labels(input, result.labels_at(CGAL::parameters::get_parameter(np, names::level_t())),
                    label_map);
@@ -162,7 +153,7 @@ public:
   Result segment(const Parameters& parameters)
   {
     CGAL_precondition(m_shape != nullptr);
-    return internal::segment(*m_shape, parameters, m_control, m_merge_cost);
+    return internal::segment_shape(*m_shape, parameters, m_control, m_merge_cost);
   }
 
   /// is the same with the parameters of the constructor, but for what is named:
@@ -174,32 +165,38 @@ public:
     return segment_with(internal::as_cgal(np));
   }
 
-  /// refines the borders of another cut through a merge tree of this shape: the labels of its patches
-  /// come from `Merge_tree::labels_for()` and the like.
-  /// \param tree is kept in the result
+  /// refines the borders of another cut through the merge tree of a result for this shape: the labels of its
+  /// patches come from `Merge_tree::labels_for()` and the like.
+  /// \param result what `segment()` returned; its tree and patches are those of the new result
   /// \param patch_labels one label a patch, in any order and with gaps; those of the result have none
   /// \param parameters those of border refinement count
-  /// \throws std::invalid_argument if there is not one label a patch, from 0 to their number, or if a
-  ///   parameter is out of its range
+  /// \throws std::invalid_argument if the result is not one for this shape, if there is not one label a patch,
+  ///   from 0 to their number, or if a parameter is out of its range
   /// \throws Canceled if the callback returns false
   ///
   /// Complexity: linear in the number of elements, besides the minimum cuts in the bands.
-  Result refine(const Merge_tree& tree, const std::vector<int>& patch_labels,
+  Result refine(const Result& result, const std::vector<int>& patch_labels,
                 const Parameters& parameters)
   {
     CGAL_precondition(m_shape != nullptr);
     parameters.check();
-    if (patch_labels.size() != m_shape->patches().size())
+    const std::size_t patches = result.merge_tree.number_of_patches();
+    if (result.patches.size() != m_shape->input.number_of_elements)
+      throw std::invalid_argument("the result has " + std::to_string(result.patches.size()) +
+                                  " elements, the shape has " +
+                                  std::to_string(m_shape->input.number_of_elements));
+    if (patch_labels.size() != patches)
       throw std::invalid_argument("there are " + std::to_string(patch_labels.size()) +
-                                  " patch labels for " + std::to_string(m_shape->patches().size()) +
-                                  " patches");
+                                  " patch labels for " + std::to_string(patches) + " patches");
     for (const int label : patch_labels)
-      if (label < 0 || static_cast<std::size_t>(label) >= m_shape->patches().size())
+      if (label < 0 || static_cast<std::size_t>(label) >= patches)
         throw std::invalid_argument("the patch label " + std::to_string(label) +
-                                    " is not from 0 to " +
-                                    std::to_string(m_shape->patches().size() - 1));
-    return internal::finish_segmentation(*m_shape, {tree, m_shape->patches().of_point},
-                                         patch_labels, parameters, m_control);
+                                    " is not from 0 to " + std::to_string(patches - 1));
+    internal::Representative_labels labels;
+    labels.patches = internal::representative_labels(*m_shape, result.patches);
+    for (const int patch : labels.patches) labels.segments.push_back(patch_labels[patch]);
+    return internal::finish_segmentation(*m_shape, std::move(labels), result.merge_tree, parameters,
+                                         m_control);
   }
 
   /// takes diameters of the shape that were measured elsewhere, such as by `mesh_diameters()`, for
@@ -223,7 +220,8 @@ public:
     internal::use_diameters(*m_shape, diameters, m_control.parallel);
   }
 
-  /// returns the number of patches, the leaves of each merge tree; about `Parameters::number_of_patches`.
+  /// returns the number of patches of the first set, about `Parameters::number_of_patches`. Those of a result
+  /// may be more: they are cut where its segments end.
   std::size_t number_of_patches() const
   {
     CGAL_precondition(m_shape != nullptr);

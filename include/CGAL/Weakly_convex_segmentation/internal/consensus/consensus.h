@@ -9,8 +9,6 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H
 
-#include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -123,7 +121,7 @@ private:
     int a, b;
     std::size_t age_a, age_b;
     /// Of equal shares, which few segmentations have many of, that of most points is first: what lies
-    /// between two borders then goes with the large neighbors, not with what lies there too.
+    /// between two borders then goes with the large neighbors, not with another sliver beside it.
     bool operator<(const Candidate& other) const // the queue's top is its largest element
     {
       return std::tie(share, pairs, other.a, other.b) < std::tie(other.share, other.pairs, a, b);
@@ -185,41 +183,6 @@ inline std::vector<int> consensus_labels(const std::vector<std::vector<int>>& se
   labels.reserve(classes.of_point.size());
   for (const int c : classes.of_point) labels.push_back(agreement.cluster_of(c));
   return labels;
-}
-
-/// returns the label of each patch that most of its points have, the smallest of such.
-inline std::vector<int> patch_labels(const Patches& patches, const std::vector<int>& labels)
-{
-  std::vector<int> result;
-  for (const auto& members : patches.members)
-  {
-    std::map<int, std::size_t> count;
-    for (const Index i : members) ++count[labels[i]];
-    result.push_back(std::max_element(count.begin(), count.end(),
-                                      [](const auto& a, const auto& b)
-                                      { return a.second < b.second; })
-                         ->first);
-  }
-  return result;
-}
-
-/// returns for each point a patch that has its label, its own one if that does or if none does: with
-/// it, the regions of the patches tell those of the points.
-inline std::vector<int> patches_of_labels(const Patches& patches,
-                                          const std::vector<int>& of_patches,
-                                          const std::vector<int>& labels)
-{
-  std::map<int, int> first_with_label;
-  for (std::size_t p = 0; p < of_patches.size(); ++p)
-    first_with_label.emplace(of_patches[p], static_cast<int>(p));
-  std::vector<int> result = patches.of_point;
-  for (std::size_t i = 0; i < result.size(); ++i)
-  {
-    if (of_patches[result[i]] == labels[i]) continue;
-    const auto other = first_with_label.find(labels[i]);
-    if (other != first_with_label.end()) result[i] = other->second;
-  }
-  return result;
 }
 
 } // namespace internal

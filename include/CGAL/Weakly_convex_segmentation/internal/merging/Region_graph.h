@@ -84,9 +84,11 @@ struct Seam
 class Region_graph
 {
 public:
-  /// makes each patch a region.
+  /// makes each patch a region. `piece_of` is empty, or has for each patch the one that it is a piece of and
+  /// whose visibility it has.
   Region_graph(const Oriented_points& points, const Neighbor_graph& graph, const Patches& patches,
-               Patch_visibility& visibility, const Parameters& parameters);
+               Patch_visibility& visibility, const Parameters& parameters,
+               std::vector<int> piece_of = {});
 
   std::size_t number_of_regions() const { return m_count; }
   double total_size() const { return m_total; }
@@ -142,7 +144,8 @@ private:
   std::vector<double> m_patch_sizes;
   std::vector<std::map<int, Seam>> m_seams; // symmetric; the lower end's entry holds the visibility
   Patch_visibility& m_visibility;
-  std::vector<int> m_parent; // patches as a forest: the root names the region
+  std::vector<int> m_piece_of; // what the visibility calls each patch; empty if the same
+  std::vector<int> m_parent;   // patches as a forest: the root names the region
   std::size_t m_count = 0;
   double m_total = 0.;
   bool m_has_profiles = false;
@@ -150,9 +153,10 @@ private:
 
 inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_graph& graph,
                                   const Patches& patches, Patch_visibility& visibility,
-                                  const Parameters& parameters)
+                                  const Parameters& parameters, std::vector<int> piece_of)
   : m_regions(patches.size()), m_seams(patches.size()), m_visibility(visibility),
-    m_count(patches.size()), m_total(static_cast<double>(points.size()))
+    m_piece_of(std::move(piece_of)), m_count(patches.size()),
+    m_total(static_cast<double>(points.size()))
 {
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
@@ -223,19 +227,22 @@ inline void Region_graph::add_profiles(const Oriented_points& points, const Neig
 
 inline Seam Region_graph::measure_visibility(const int a, const int b)
 {
+  const auto name = [this](const int p) { return m_piece_of.empty() ? p : m_piece_of[p]; };
   std::vector<std::pair<int, int>> pairs;
   for (const int p : m_regions[a].patches)
-    for (const int q : m_regions[b].patches) pairs.push_back({p, q});
+    for (const int q : m_regions[b].patches)
+      if (name(p) != name(q)) pairs.push_back({name(p), name(q)});
   m_visibility.prepare(pairs);
   Seam result;
-  for (const auto& [p, q] : pairs)
-  {
-    const double v = m_visibility(p, q);
-    const double weight = m_patch_sizes[p] * m_patch_sizes[q];
-    result.visibility_sum += v * weight;
-    if (v < 0.3) result.visibility_low += weight;
-    result.visibility_least = (std::min)(result.visibility_least, v);
-  }
+  for (const int p : m_regions[a].patches)
+    for (const int q : m_regions[b].patches)
+    {
+      const double v = name(p) != name(q) ? m_visibility(name(p), name(q)) : 1.;
+      const double weight = m_patch_sizes[p] * m_patch_sizes[q];
+      result.visibility_sum += v * weight;
+      if (v < 0.3) result.visibility_low += weight;
+      result.visibility_least = (std::min)(result.visibility_least, v);
+    }
   return result;
 }
 

@@ -28,25 +28,21 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// What a contraction tells and heeds.
+/// Where merges are recorded, and the segments across which there are none.
 struct Contraction_log
 {
   Merge_tree& tree;
   Visitor* visitor = nullptr;
-  std::vector<int> apart =
-      {}; ///< a label a patch: regions of different ones stay apart; may be empty
-  double lowest = -std::numeric_limits<double>::infinity(); ///< costs are told within these bounds
-  double highest = std::numeric_limits<double>::infinity();
+  std::vector<int> segment_of_patch = {}; ///< only regions of one segment are merged; empty: any
 
-  bool keeps_apart(const int a, const int b) const
+  bool may_merge(const int a, const int b) const
   {
-    return !apart.empty() && apart[a] != apart[b];
+    return segment_of_patch.empty() || segment_of_patch[a] == segment_of_patch[b];
   }
-  void tell(const int a, const int b, const double cost) const
+  void add(const int a, const int b, const double cost) const
   {
-    const double told = (std::min)((std::max)(cost, lowest), highest);
-    tree.add(a, b, told);
-    if (visitor != nullptr) visitor->merged(a, b, told);
+    tree.add(a, b, cost);
+    if (visitor != nullptr) visitor->merged(a, b, cost);
   }
 };
 
@@ -75,7 +71,7 @@ inline void contract(Region_graph& graph, const Function_ref<double(int, int)> c
   const auto consider = [&](const int a, const int b)
   {
     const int low = (std::min)(a, b), high = (std::max)(a, b);
-    if (log.keeps_apart(low, high)) return; // a region is named by one of its patches
+    if (!log.may_merge(low, high)) return; // a region is named by one of its patches
     const double cost = criterion(low, high);
     if (cost < std::numeric_limits<double>::infinity())
       queue.push({cost, low, high, age[low], age[high]});
@@ -89,7 +85,7 @@ inline void contract(Region_graph& graph, const Function_ref<double(int, int)> c
     queue.pop();
     if (age[best.a] != best.age_a || age[best.b] != best.age_b) continue;
     graph.merge(best.a, best.b);
-    log.tell(best.a, best.b, best.cost);
+    log.add(best.a, best.b, best.cost);
     ++age[best.a];
     ++age[best.b];
     for (const auto& entry : graph.seams(best.a)) consider(best.a, entry.first);

@@ -201,9 +201,9 @@ inline void merge_flat_components(Region_graph& graph, const Component_signature
   {
     if (!graph.is_region(r)) continue; // an earlier flat component took it
     const int other = neighbor_of_flat_component(graph, r, parameters);
-    if (other < 0 || log.keeps_apart(other, r)) continue;
+    if (other < 0 || !log.may_merge(other, r)) continue;
     graph.merge(other, r);
-    log.tell(other, r, parameters.signature_threshold);
+    log.add(other, r, parameters.signature_threshold);
   }
 }
 

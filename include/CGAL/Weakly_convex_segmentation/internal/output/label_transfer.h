@@ -205,24 +205,26 @@ inline std::vector<int> element_labels(const Oriented_points& points,
   return result;
 }
 
-/// returns the patch of each input element.
-inline std::vector<int> element_patches(const Shape_analysis& shape, const bool parallel = false)
+/// returns the patch of each input element from those of the representatives.
+inline std::vector<int> element_patches(const Shape_analysis& shape,
+                                        const std::vector<int>& of_representative,
+                                        const bool parallel = false)
 {
   std::vector<int> patches(shape.input.size());
   parallel_for(
       patches.size(), parallel,
-      [&](const std::size_t i) { patches[i] = shape.patches().of_point[shape.representative(i)]; },
-      4096);
+      [&](const std::size_t i) { patches[i] = of_representative[shape.representative(i)]; }, 4096);
   return element_labels(shape.input, patches, parallel);
 }
 
-/// gives each representative the final label of one of its points.
-inline void relabel_representatives(const Shape_analysis& shape,
-                                    const std::vector<int>& element_labels,
-                                    std::vector<int>& labels)
+/// returns for each representative the label of the element of one of its points.
+inline std::vector<int> representative_labels(const Shape_analysis& shape,
+                                              const std::vector<int>& element_labels)
 {
+  std::vector<int> labels(shape.points().size());
   for (std::size_t i = 0; i < shape.input.size(); ++i)
     labels[shape.representative(i)] = element_labels[shape.input.elements[i]];
+  return labels;
 }
 
 } // namespace internal

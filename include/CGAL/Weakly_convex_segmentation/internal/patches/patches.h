@@ -203,9 +203,10 @@ inline std::vector<Index> cluster_supervoxels(const std::size_t count,
 }
 
 /// gives small pieces to the neighbor with the most edges to them, smallest first, and renumbers.
-/// Pieces without a neighbor stay.
+/// Pieces without a neighbor stay; with `segments` of the points, neighbors are those in the same segment.
 inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const Pieces& pieces,
-                                            const std::size_t minimum_size)
+                                            const std::size_t minimum_size,
+                                            const std::vector<int>* const segments = nullptr)
 {
   const std::size_t count = pieces.sizes.size();
   std::vector<std::map<int, std::size_t>> contacts(count);
@@ -213,7 +214,8 @@ inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const P
     for (const Neighbor& edge : graph[i])
     {
       const int a = pieces.of_point[i], b = pieces.of_point[edge.point];
-      if (a != b) ++contacts[a][b];
+      if (a != b && (segments == nullptr || (*segments)[i] == (*segments)[edge.point]))
+        ++contacts[a][b];
     }
   std::vector<int> by_size(count), target(count);
   std::iota(by_size.begin(), by_size.end(), 0);
@@ -248,6 +250,18 @@ inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const P
   return result;
 }
 
+/// returns the patches of a labeling of the points from 0 on without gaps.
+inline Patches patches_of_labels(std::vector<int> labels)
+{
+  Patches patches;
+  patches.of_point = std::move(labels);
+  const int count = 1 + *std::max_element(patches.of_point.begin(), patches.of_point.end());
+  patches.members.resize(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < patches.of_point.size(); ++i)
+    patches.members[patches.of_point[i]].push_back(static_cast<Index>(i));
+  return patches;
+}
+
 /// returns the patches that one clustering of the supervoxels gives.
 inline Patches cluster_to_patches(const Neighbor_graph& graph, const Supervoxels& supervoxels,
                                   const std::vector<Supervoxel_piece>& pieces,
@@ -257,13 +271,8 @@ inline Patches cluster_to_patches(const Neighbor_graph& graph, const Supervoxels
   std::vector<Index> labels(graph.size());
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = cluster[supervoxels.of_point[i]];
 
-  Patches patches;
-  patches.of_point =
-      absorb_small_pieces(graph, connected_pieces(graph, labels), minimum_patch_size);
-  const int count = 1 + *std::max_element(patches.of_point.begin(), patches.of_point.end());
-  patches.members.resize(static_cast<std::size_t>(count));
-  for (Index i = 0; i < graph.size(); ++i) patches.members[patches.of_point[i]].push_back(i);
-  return patches;
+  return patches_of_labels(
+      absorb_small_pieces(graph, connected_pieces(graph, labels), minimum_patch_size));
 }
 
 /// over-segments the points into patches, `Parameters::number_of_patch_sets` times: the clusterings
