@@ -5,6 +5,7 @@
 // by 3 and by 10 percent of its value down and up, as one JSON file. What only touches merging and
 // borders is run on one analysis of the shape.
 
+#include "common/set_parameter.h"
 #include "metrics/princeton_benchmark.h"
 
 #include "io/atomic_file.h"
@@ -21,6 +22,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -29,100 +31,47 @@
 namespace WCS = CGAL::Weakly_convex_segmentation;
 namespace SM = Segmentation_metrics;
 using Json = nlohmann::json;
-using WCS::Merging_cost;
 using WCS::Parameters;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
 namespace {
 
-struct Knob
-{
-  std::string name;
-  bool of_analysis; ///< used before merging: the shape has to be analyzed anew
-  bool is_count;
-  std::function<double(const Parameters&)> get;
-  std::function<void(Parameters&, double)> set;
-};
+using Named_parameters::Knob;
 
-template <typename Number>
-Knob knob(const std::string& name, Number Parameters::*member, const bool of_analysis)
+/// whether a name begins with another
+bool begins_with(const std::string& name, const std::string& beginning)
 {
-  return {name, of_analysis, std::is_integral<Number>::value,
-          [member](const Parameters& p) { return static_cast<double>(p.*member); },
-          [member](Parameters& p, const double v) { p.*member = static_cast<Number>(v); }};
+  return name.compare(0, beginning.size(), beginning) == 0;
 }
 
-void add_cost(std::vector<Knob>& knobs, const std::string& name, Merging_cost Parameters::*cost)
+/// the parameters that a preset uses and that are not 0, but for the seed, rules and switches
+std::vector<Knob> used_knobs(const Parameters& preset)
 {
-  const auto add = [&](const std::string& part, double Merging_cost::*member)
-  {
-    knobs.push_back({name + "." + part, false, false,
-                     [=](const Parameters& p) { return p.*cost.*member; },
-                     [=](Parameters& p, const double v) { p.*cost.*member = v; }});
-  };
-  add("visibility_weight", &Merging_cost::visibility_weight);
-  add("concavity_weight", &Merging_cost::concavity_weight);
-  add("concavity_saturation", &Merging_cost::concavity_saturation);
-  add("diameter_weight", &Merging_cost::diameter_weight);
-  add("smaller_closure_weight", &Merging_cost::smaller_closure_weight);
-  add("larger_closure_weight", &Merging_cost::larger_closure_weight);
-  add("seam_extent_weight", &Merging_cost::seam_extent_weight);
-  add("diameter_spread_weight", &Merging_cost::diameter_spread_weight);
-  add("continuation_weight", &Merging_cost::continuation_weight);
-}
-
-/// the parameters that both presets use
-std::vector<Knob> common_knobs()
-{
-  using P = Parameters;
-  return {knob("number_of_neighbors", &P::number_of_neighbors, true),
-          knob("number_of_patches", &P::number_of_patches, true),
-          knob("number_of_supervoxels", &P::number_of_supervoxels, true),
-          knob("samples_per_patch", &P::samples_per_patch, true),
-          knob("disk_radius_factor", &P::disk_radius_factor, true),
-          knob("clearance_factor", &P::clearance_factor, true),
-          knob("seam_concavity_tolerance", &P::seam_concavity_tolerance, false),
-          knob("band_width", &P::band_width, false),
-          knob("data_weight", &P::data_weight, false),
-          knob("data_exponent", &P::data_exponent, false)};
-}
-
-std::vector<Knob> knobs_of_default()
-{
-  using P = Parameters;
-  std::vector<Knob> knobs = common_knobs();
-  add_cost(knobs, "merging_cost", &P::merging_cost);
-  for (const Knob& more : {knob("grazing_tolerance", &P::grazing_tolerance, true),
-                           knob("patch_concavity_tolerance", &P::patch_concavity_tolerance, true),
-                           knob("diameter_cone_angle", &P::diameter_cone_angle, true),
-                           knob("diameter_samples", &P::diameter_samples, true),
-                           knob("diameter_rays", &P::diameter_rays, true),
-                           knob("missing_diameter_distance", &P::missing_diameter_distance, false),
-                           knob("merging_threshold", &P::merging_threshold, false),
-                           knob("minimum_segment_share", &P::minimum_segment_share, false),
-                           knob("smoothness_angle", &P::smoothness_angle, false)})
-    knobs.push_back(more);
-  return knobs;
-}
-
-std::vector<Knob> knobs_of_paper()
-{
-  using P = Parameters;
+  const bool is_paper = preset.merging == WCS::Merging_rule::PAPER;
   std::vector<Knob> knobs;
-  for (std::size_t i = 0; i < 3; ++i)
-    knobs.push_back({"fusion_thresholds[" + std::to_string(i) + "]", false, false,
-                     [i](const Parameters& p) { return p.fusion_thresholds.at(i); },
-                     [i](Parameters& p, const double v)
-                     { p.fusion_thresholds.at(i) = (std::min)(v, 1.); }});
-  for (const Knob& more : {knob("signature_threshold", &P::signature_threshold, false),
-                           knob("concave_seam_ratio", &P::concave_seam_ratio, false),
-                           knob("flat_share", &P::flat_share, false),
-                           knob("flat_visibility", &P::flat_visibility, false),
-                           knob("diameter_cone_angle", &P::diameter_cone_angle, false),
-                           knob("histogram_bins", &P::histogram_bins, false)})
-    knobs.push_back(more);
-  for (const Knob& more : common_knobs()) knobs.push_back(more);
+  for (const Knob& knob : Named_parameters::knobs(preset))
+  {
+    const bool is_of_paper = begins_with(knob.name, "fusion_thresholds");
+    const bool is_of_cost =
+        begins_with(knob.name, "merging_cost") || knob.name == "fusion_threshold";
+    if (is_paper ? is_of_cost : is_of_paper) continue;
+    if (knob.name == "seed" || (knob.is_whole && knob.high <= 2.)) continue;
+    if (Named_parameters::get(preset, knob.name) != 0.) knobs.push_back(knob);
+  }
   return knobs;
+}
+
+/// the names of what only touches merging and borders: the table is in the order of the stages
+std::set<std::string> names_after_analysis()
+{
+  std::set<std::string> names;
+  bool is_after = false;
+  for (const Knob& knob : Named_parameters::knobs())
+  {
+    is_after = is_after || knob.name == "merging";
+    if (is_after) names.insert(knob.name);
+  }
+  return names;
 }
 
 /// The shape, analyzed anew only where it has to be.
@@ -195,23 +144,25 @@ Json vary(const SM::Benchmark_model& model, const Parameters& preset,
                                {"value", seed},
                                {"rand_error", experiment.score(parameters, true)}});
   }
+  const std::set<std::string> after_analysis = names_after_analysis();
   for (const Knob& k : knobs)
   {
-    if (k.of_analysis && !analyze_anew) continue;
+    const bool is_of_analysis = after_analysis.count(k.name) == 0;
+    if (is_of_analysis && !analyze_anew) continue;
     for (const int percent : {-10, -3, 3, 10})
     {
-      const double value = k.get(preset);
+      const double value = Named_parameters::get(preset, k.name);
       double changed = value * (1. + percent / 100.);
-      if (k.is_count) // at least by one, or nothing would change
+      if (k.is_whole) // at least by one, or nothing would change
         changed = percent < 0 ? (std::min)(std::round(changed), value - 1.)
                               : (std::max)(std::round(changed), value + 1.);
       Parameters parameters = preset;
-      k.set(parameters, changed);
+      Named_parameters::set(parameters, k.name, changed);
       if (!is_in_range(parameters)) continue;
       json["changes"].push_back({{"name", k.name},
                                  {"step", percent},
-                                 {"value", k.get(parameters)},
-                                 {"rand_error", experiment.score(parameters, k.of_analysis)}});
+                                 {"value", Named_parameters::get(parameters, k.name)},
+                                 {"rand_error", experiment.score(parameters, is_of_analysis)}});
     }
   }
   return json;
@@ -229,9 +180,10 @@ int main(int argc, char** argv)
     const int number = std::stoi(argv[2]);
     const SM::Benchmark_model model = SM::read_benchmark_model(argv[1], number);
     const bool all = argc == 4;
-    const Json json = {{"model", number},
-                       {"default", vary(model, {}, knobs_of_default(), all)},
-                       {"paper", vary(model, Parameters::paper(), knobs_of_paper(), all)}};
+    const Json json = {
+        {"model", number},
+        {"default", vary(model, {}, used_knobs({}), all)},
+        {"paper", vary(model, Parameters::paper(), used_knobs(Parameters::paper()), all)}};
     Shape_io::Atomic_file file(argv[3]);
     file.stream() << json.dump(1) << '\n';
     file.commit();

@@ -243,11 +243,11 @@ Path_cost path_cost(Trial& trial, const Tree_tables* tables, const WCS::Paramete
   {
     const WCS::internal::Histogram_scale scale;
     const WCS::internal::Region_cost cost(trial.graph, trial.model.shape->patches(),
-                                          trial.model.shape->diameters, scale, parameters);
+                                          trial.model.shape->diameters, scale);
     WCS::Merging_cost weights;
-    weights.visibility_weight = weights.diameter_weight = 0.5;
-    weights.concavity_weight = 1.;
-    return cost(a, b, weights, (std::numeric_limits<double>::max)());
+    weights.diameter_weight = 1.;
+    weights.concavity_weight = 2.;
+    return 0.5 * cost(a, b, weights, (std::numeric_limits<double>::max)());
   };
 }
 

@@ -158,8 +158,7 @@ void print(const Outcome& outcome)
 
 WCS::Parameters with(WCS::Parameters parameters, const std::vector<Knob>& knobs)
 {
-  static const auto setters = Named_parameters::setters();
-  for (const Knob& knob : knobs) setters.at(knob.name)(parameters, knob.value);
+  for (const Knob& knob : knobs) Named_parameters::set(parameters, knob.name, knob.value);
   return parameters;
 }
 

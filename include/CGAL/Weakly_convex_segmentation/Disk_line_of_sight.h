@@ -48,8 +48,8 @@ public:
   /// reads a range of points, a `CGAL::Point_set_3` or a mesh, each face as a point.
   /// \param input all of it is read before the constructor returns
   /// \param np `point_map`, `normal_map`, `vertex_point_map`, `face_index_map` and `geom_traits` as for
-  ///   `weakly_convex_segmentation()`, and `segmentation_parameters`, of which `number_of_neighbors`,
-  ///   `disk_radius_factor`, `clearance_factor` and `grazing_tolerance` count
+  ///   `weakly_convex_segmentation()`, and `segmentation_parameters`, of which `number_of_neighbors`
+  ///   and `grazing_tolerance` count
   /// \throws std::invalid_argument if there are no points, coordinates are not finite, or a parameter is out of
   ///   its range
   ///
@@ -68,10 +68,8 @@ public:
         internal::build_neighbor_graph(points, parameters.number_of_neighbors, false);
     m_placement = points.placement;
     m_extent = points.extent;
-    m_tree = std::make_shared<internal::Disk_tree>(
-        internal::make_disks(points, graph, parameters.disk_radius_factor),
-        static_cast<float>(parameters.clearance_factor),
-        std::sin(internal::radians(parameters.grazing_tolerance)));
+    m_tree =
+        std::make_shared<internal::Disk_tree>(internal::make_disk_tree(points, graph, parameters));
   }
 
   /// returns whether no disk is between two points; near the ends of the line none is. Complexity: O(log n)

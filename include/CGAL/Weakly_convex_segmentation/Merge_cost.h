@@ -34,7 +34,7 @@ class Weighted_merge_cost
 
 public:
   /// takes the weights and thresholds of `parameters`.
-  explicit Weighted_merge_cost(const Parameters& parameters = {})
+  explicit Weighted_merge_cost(const Merging_parameters& parameters = {})
     : m_weights(parameters.merging_cost), m_fusion_threshold(parameters.fusion_threshold),
       m_merging_threshold(parameters.merging_threshold)
   {}
@@ -58,9 +58,9 @@ public:
   static constexpr bool uses_cut_probability = true;
 
   /// takes the thresholds of `parameters`.
-  explicit Learned_merge_cost(const Parameters& parameters = {})
-    : m_fusion_threshold(parameters.fitted_fusion_threshold),
-      m_merging_threshold(parameters.fitted_merging_threshold)
+  explicit Learned_merge_cost(const Merging_parameters& parameters = Parameters::fitted())
+    : m_fusion_threshold(parameters.fusion_threshold),
+      m_merging_threshold(parameters.merging_threshold)
   {}
   double operator()(const Region_pair& pair, double /* limit */) const
   {

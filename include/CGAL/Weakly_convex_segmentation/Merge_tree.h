@@ -72,8 +72,7 @@ public:
 
   /// returns the region of each patch if merging had stopped at the first merge of components, in
   /// order, that costs more than `threshold`. Merges within the segments count as no more than the threshold
-  /// that the segments were made with, those beyond as more. Costs are on the scale of `Parameters::merging_threshold`
-  /// in the default preset, of `Parameters::fitted_merging_threshold` in the fitted one.
+  /// that the segments were made with, those beyond as more. Costs are on the scale of `Parameters::merging_threshold`.
   /// Complexity: that of `labels_after()`, and linear in the number of merges.
   std::vector<int> labels_at_cost(const double threshold) const
   {

@@ -9,11 +9,14 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_PARAMETERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_PARAMETERS_H
 
+// All parameters of the method, by stage, with the presets and the one table of their names and ranges.
+
 #include <CGAL/Weakly_convex_segmentation/Normal_orientation.h>
 
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -65,10 +68,10 @@ enum class Refinement_rule
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// Weights of the terms of the `Merging_rule::COST` contraction, each at least 0.
+/// Weights of the terms of the `Merging_rule::COST` contraction, each in `[0, 1e6]`.
 ///
-/// The cost of merging two adjacent regions is the weighted sum of
-/// - their blindness: 1 - the mutual visibility `v`;
+/// The cost of merging two adjacent regions is their blindness, which is 1 - the mutual visibility `v`, and the
+/// weighted sum of
 /// - the concave share `c` of their seam, saturating: `c (1 - concavity_saturation c)`;
 /// - the earth mover's distance of their diameter histograms (natural logarithms of the diameter);
 /// - the closure of the smaller and of the larger one: the share of sampled points whose line inwards
@@ -80,7 +83,6 @@ enum class Refinement_rule
 /// - the continuation: how much the two are pieces of one tube that goes on straight, in `[0, 1]`.
 struct Merging_cost
 {
-  double visibility_weight = 0.;
   double concavity_weight = 0.;
   double concavity_saturation = 0.; ///< in `[0, 1]`
   double diameter_weight = 0.;
@@ -92,18 +94,9 @@ struct Merging_cost
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// All knobs of the algorithm.
-///
-/// A default constructed object is the default preset, the best that we know; `paper()` has every
-/// value and rule as \cgalCite{cgal:kfkac-ssaca-14} has them. Angles are in degrees; lengths are
-/// relative to the extent of the shape: the diameter of the smallest sphere about the centroid of
-/// the points that holds them all. One set of values serves all shapes. Ranges are given in brackets; costs and
-/// weights without one are from 0 to 1e6.
-struct Parameters
+/// What the points and the neighbor graph are made with (section 3).
+struct Sampling_parameters
 {
-  /// \name Sampling
-  /// @{
-
   /// number of nearest neighbors of a point in the neighbor graph (`k`, section 4); `[3, 100]`
   std::size_t number_of_neighbors = 10;
   /// Shapes of more points are thinned to about so many representatives, on which everything that
@@ -113,38 +106,25 @@ struct Parameters
   /// point, as if they were cut there; the label of a face is that of most of its points. 0: one
   /// point a face; `[0, 1000]`
   double face_sampling_factor = 7.;
-  /// Meshes with fewer faces count as so many, for `face_sampling_factor`; `[0, 1e6]`
-  std::size_t minimum_face_samples = 1000;
   /// Whether all normals are turned, for the run, where the shape is closed and its normals point
   /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
   bool flip_inward_normals = true;
-  /// Whether the shape is turned by its principal axes for the run, always aslant to them in the same way,
-  /// so that it is cut the same however it lies.
-  bool align_principal_axes = true;
   Normal_orientation normal_orientation = Normal_orientation::PROPAGATION; ///< if none are given
   /// whether the faces of a mesh count as neighbors where they share an edge
   bool use_mesh_adjacency = true;
-  /// Whether points without a mesh whose nearest neighbors all lie along one line, as those of a laser
-  /// scanner do, are also neighbors of the nearest points beside it.
-  bool link_across_lines = true;
-  unsigned int seed = 0; ///< seed of all random choices; any value
-  /// The points are smoothed where noise turns the normals of neighbors by more degrees (most points have
-  /// convex and concave edges in equal measure) or normals contradict positions by twice that, and thinned
-  /// by sides where they are crumpled; `[0, 180]`, with 180 never. Given positions stay as they are.
-  double noise_tolerance = 2.5;
-  /// The vertices of a mesh are smoothed, before all else, where noise turns the normals of faces that
-  /// share an edge by more degrees: where the median face has convex and concave edges in equal measure;
-  /// `[0, 180]`, with 180 never. The positions that are given stay as they are.
-  double mesh_noise_tolerance = 4.6;
+  /// Whether vertices and points are smoothed where noise, and not the shape, turns the normals of neighbors.
+  /// Shapes without noise, and the positions that are given, stay as they are.
+  bool denoise = true;
+};
 
-  /// @}
-  /// \name Patches (section 4)
-  /// @{
-
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// What the patches are made with (section 4).
+struct Patch_parameters
+{
   /// wanted number of patches; `[1, 1000]`
   std::size_t number_of_patches = 88;
   /// The patches are made anew so many times, each set is merged to segments, and the segments are what
-  /// most of them agree on; `[1, 100]`. More are steadier and a little better, and take longer.
+  /// most of them lead to; `[1, 100]`. More are steadier and a little better, and take longer.
   std::size_t number_of_patch_sets = 5;
   /// number of supervoxels that the spectral clustering works on, which bound its time;
   /// `[1, 20000]`
@@ -155,122 +135,80 @@ struct Parameters
   /// neighbors are joined in the convexity graph unless their normals are concave by more degrees;
   /// `[0, 180]`
   double patch_concavity_tolerance = 5.;
-  /// weight of the edges that are too concave, relative to 1 for the others; `[0, 1]`
-  double concave_edge_weight = 0.001;
-  /// connected pieces of patches with fewer representatives are given to a neighbor; `[0, 1e9]`
-  std::size_t minimum_patch_size = 5;
+  unsigned int seed = 0; ///< seed of all random choices; `[0, 4294967295]`
+};
 
-  /// @}
-  /// \name Visibility (sections 3 and 4)
-  /// @{
-
-  /// points sampled on a patch for its lines of sight (`s_vis`); `[1, 100]`
-  std::size_t samples_per_patch = 10;
-  /// radius of the disk of a point, in mean distances to its neighbors; `(0, 10]`
-  double disk_radius_factor = 1.;
-  /// disks whose center is nearer to an end of a line of sight than so many of their radii do not
-  /// occlude it; `[0, 100]`
-  double clearance_factor = 2.;
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// How lines of sight are cast (sections 3 and 4).
+struct Visibility_parameters
+{
   /// A disk does not occlude a line of sight that meets it at fewer degrees: over a flat surface of
   /// which nothing is seen from behind, noise of a thousandth would else blind all points to each
   /// other; `[0, 89]`
   double grazing_tolerance = 2.;
-  /// A line of sight may leave the surface to the outside by so many degrees; `[0, 90]`. With 90
-  /// there is no such test and lines that pass outside of the shape count when unoccluded.
-  double outside_tolerance = 90.;
-  /// A pair of patches is decided when so many first rays agree; 0 casts all rays.
-  std::size_t rays_for_early_decision = 2;
-  /// A pair of patches that is not decided early gets at most so many rays; 0: all
-  /// `samples_per_patch` squared.
+  /// A pair of patches is decided by its first two lines of sight if they agree, and gets at most so many;
+  /// `[0, 10000]`. 0: one between each two of the points sampled on the patches.
   std::size_t maximum_rays_per_pair = 5;
+};
 
-  /// @}
-  /// \name Rules
-  /// @{
-
-  Merging_rule merging = Merging_rule::COST;               ///< criteria of the contraction
-  Diameter_rule diameter = Diameter_rule::WHOLE_SHAPE;     ///< measure of the diameters
-  Refinement_rule refinement = Refinement_rule::SEAM_CUTS; ///< method of border refinement
-
-  /// @}
-  /// \name Component fusion and merging with `Merging_rule::PAPER` (sections 4 and 5)
-  /// @{
-
-  /// the thresholds theta of the rounds of fusion, each in `[0, 1]`
-  std::vector<double> fusion_thresholds = {0.9, 0.8, 0.7};
-  Fusion_rule fusion = Fusion_rule::EVERY_PAIR; ///< what must exceed the threshold
-  /// largest distance of signatures that is merged, relative to the largest one (`sigma`); `[0, 1]`
-  double signature_threshold = 0.12;
-  /// adjacencies with at least this ratio of concave to convex seam edges are not merged; `[0, 1e9]`
-  double concave_seam_ratio = 0.85;
-  /// components of which at most this share of the samples has a diameter are flat; `[0, 1]`
-  double flat_share = 0.1;
-  /// visibility that a flat component needs to join a neighbor over a partly concave seam; `[0, 1]`
-  double flat_visibility = 0.4;
-
-  /// @}
-  /// \name Signatures (section 5)
-  /// @{
-
-  /// bins of a diameter histogram; `[2, 64]`
-  std::size_t histogram_bins = 64;
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// How shape diameters are measured (section 5).
+struct Diameter_parameters
+{
+  Diameter_rule diameter = Diameter_rule::WHOLE_SHAPE; ///< where lengths end
   /// full opening angle of the cone in which diameters are measured (`alpha`), degrees; `[0.001, 179]`
   double diameter_cone_angle = 60.;
-  /// `Diameter_rule::WHOLE_SHAPE`: number of points, over the whole shape, with a diameter;
-  /// `[1, 1e6]`
-  std::size_t diameter_samples = 2000;
-  /// `Diameter_rule::WHOLE_SHAPE`: rays a point; `[1, 256]`
-  std::size_t diameter_rays = 10;
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// How patches become components and components become segments (sections 4 and 5).
+struct Merging_parameters
+{
+  Merging_rule merging = Merging_rule::COST; ///< criteria of the contraction
   /// a seam edge is concave from this angle on (`epsilon`), degrees; `[0, 179]`
   double seam_concavity_tolerance = 10.2;
-
-  /// @}
-  /// \name Contraction with `Merging_rule::COST`
-  /// @{
-
-  /// weights of the cost of a merge
-  Merging_cost merging_cost = {1., 2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
-  double fusion_threshold = 1.0;    ///< the highest cost at which patches become components
-  double merging_threshold = 1.482; ///< the highest cost at which components become segments
-  /// Distance of signatures where one of the regions has no diameter; at least 0.
-  double missing_diameter_distance = 0.35;
+  /// The highest cost at which patches become components; `[0, 1e6]`. With `Merging_rule::FITTED` it is the
+  /// probability that people cut between them, in `[0, 1]`; with `PAPER` it is not used.
+  double fusion_threshold = 1.0;
+  /// The highest cost at which components become segments; `[0, 1e6]`. With `Merging_rule::FITTED` it is the
+  /// probability that people cut between them, with `PAPER` the distance of their signatures relative to the
+  /// largest one (`sigma`), both in `[0, 1]`.
+  double merging_threshold = 1.482;
+  /// weights of `Merging_rule::COST`
+  Merging_cost merging_cost = {2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
+  /// `Merging_rule::PAPER`: the thresholds theta of the rounds of fusion, each in `[0, 1]`
+  std::vector<double> fusion_thresholds = {0.9, 0.8, 0.7};
+  Fusion_rule fusion = Fusion_rule::EVERY_PAIR; ///< `Merging_rule::PAPER`: what must exceed theta
   /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
   double minimum_segment_share = 0.0078;
-
-  /// @}
-  /// \name Contraction with `Merging_rule::FITTED`
-  /// @{
-
-  /// Adjacent regions are fused into components while the probability that people cut between them
-  /// is at most this; `[0, 1]`.
-  double fitted_fusion_threshold = 0.12;
-  /// The same for merging components into segments; `[0, 1]`.
-  double fitted_merging_threshold = 0.62;
-
-  /// @}
-  /// \name All contractions
-  /// @{
-
-  /// The contraction goes on until there are at most so many segments; 0: no limit. It does not make
-  /// more segments than there would be without.
+  /// The contraction goes on until there are at most so many segments; 0: no limit; `[0, 1e9]`. It does not
+  /// make more segments than there would be without.
   std::size_t maximum_number_of_segments = 0;
+};
 
-  /// @}
-  /// \name Border refinement (section 5)
-  /// @{
-
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// How borders are refined (section 5).
+struct Border_parameters
+{
+  Refinement_rule refinement = Refinement_rule::SEAM_CUTS; ///< method of border refinement
   /// half width of the band in which a border may move, relative to the extent; `[0, 1]`, 0: nothing moves
   double band_width = 0.025;
-  /// exponent of the distance in the data cost (equation 4); `[0, 100]`
-  double data_exponent = 1.5;
-  /// Weight of the data cost against the smoothness cost; `[0, 1e6]`. With `Refinement_rule::SEAM_CUTS` it is
-  /// multiplied by the spacing of the points over the band's width, so that density matters little.
-  double data_weight = 1.5;
-  /// `Refinement_rule::SEAM_CUTS`: concavity in degrees that halves the cost of an edge; `[0.001, 180]`
-  double smoothness_angle = 10.;
+};
 
-  /// @}
-
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// All parameters of the method, by stage: each stage takes its own.
+///
+/// A default constructed object is the default preset, the best that we know; `paper()` has every
+/// value and rule as \cgalCite{cgal:kfkac-ssaca-14} has them. Angles are in degrees; lengths are
+/// relative to the extent of the shape: the diameter of the smallest sphere about the centroid of
+/// the points that holds them all. One set of values serves all shapes. Ranges are given in brackets.
+struct Parameters : Sampling_parameters,
+                    Patch_parameters,
+                    Visibility_parameters,
+                    Diameter_parameters,
+                    Merging_parameters,
+                    Border_parameters
+{
   /// returns the values and rules of the paper; where it is silent, see the stage's header.
   static Parameters paper();
 
@@ -291,26 +229,22 @@ inline Parameters Parameters::paper()
   p.face_sampling_factor = 0.;         // section 6: one point a face
   p.number_of_representatives = 10000; // as many points as the paper's largest shapes have
   p.number_of_supervoxels = 10000;     // the clustering is that of the points themselves
-  p.noise_tolerance = 180.;
-  p.mesh_noise_tolerance = 180.;
-  p.align_principal_axes = false;
+  p.denoise = false;
   p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
-  p.link_across_lines = false;
-  p.number_of_patches = 100; // silent; the trial of the method used 100
+  p.number_of_patches = 100;    // silent; the trial of the method used 100
   p.number_of_patch_sets = 1;
   p.spectral_dimensions = 1.;
   p.patch_concavity_tolerance = 0.;
   p.grazing_tolerance = 0.; // section 3: every disk on the line occludes it
-  p.rays_for_early_decision = 0;
   p.maximum_rays_per_pair = 0;
   p.merging = Merging_rule::PAPER;
   p.diameter = Diameter_rule::OWN_POINTS;
   p.refinement = Refinement_rule::ALPHA_EXPANSION;
   p.seam_concavity_tolerance = 9.; // epsilon = 0.05 pi
+  p.merging_threshold = 0.12;      // sigma
   p.diameter_cone_angle = 20.;     // alpha = 2 pi / 18, read as the full opening
   p.minimum_segment_share = 0.;
   p.band_width = 0.015;
-  p.data_weight = 0.1;
   return p;
 }
 
@@ -318,11 +252,60 @@ inline Parameters Parameters::fitted()
 {
   Parameters p;
   p.merging = Merging_rule::FITTED;
+  p.fusion_threshold = 0.12;
+  p.merging_threshold = 0.62;
   p.minimum_segment_share = 0.006;
   return p;
 }
 
 namespace internal {
+
+/// calls `f(name, member, lowest, highest)` for each parameter: the one table of their names and ranges. Rules
+/// and switches are numbered from 0.
+template <typename Parameters_, typename Function>
+void for_each_parameter(Parameters_& p, const Function& f)
+{
+  f("number_of_neighbors", p.number_of_neighbors, 3., 100.);
+  f("number_of_representatives", p.number_of_representatives, 100., 1e9);
+  f("face_sampling_factor", p.face_sampling_factor, 0., 1000.);
+  f("flip_inward_normals", p.flip_inward_normals, 0., 1.);
+  f("normal_orientation", p.normal_orientation, 0., 1.);
+  f("use_mesh_adjacency", p.use_mesh_adjacency, 0., 1.);
+  f("denoise", p.denoise, 0., 1.);
+
+  f("number_of_patches", p.number_of_patches, 1., 1000.);
+  f("number_of_patch_sets", p.number_of_patch_sets, 1., 100.);
+  f("number_of_supervoxels", p.number_of_supervoxels, 1., 20000.);
+  f("spectral_dimensions", p.spectral_dimensions, 0.01, 1.);
+  f("patch_concavity_tolerance", p.patch_concavity_tolerance, 0., 180.);
+  f("seed", p.seed, 0., 4294967295.);
+
+  f("grazing_tolerance", p.grazing_tolerance, 0., 89.);
+  f("maximum_rays_per_pair", p.maximum_rays_per_pair, 0., 10000.);
+
+  f("diameter", p.diameter, 0., 2.);
+  f("diameter_cone_angle", p.diameter_cone_angle, 1e-3, 179.);
+
+  f("merging", p.merging, 0., 2.);
+  f("seam_concavity_tolerance", p.seam_concavity_tolerance, 0., 179.);
+  f("fusion_threshold", p.fusion_threshold, 0., 1e6);
+  f("merging_threshold", p.merging_threshold, 0., 1e6);
+  f("merging_cost.concavity_weight", p.merging_cost.concavity_weight, 0., 1e6);
+  f("merging_cost.concavity_saturation", p.merging_cost.concavity_saturation, 0., 1.);
+  f("merging_cost.diameter_weight", p.merging_cost.diameter_weight, 0., 1e6);
+  f("merging_cost.smaller_closure_weight", p.merging_cost.smaller_closure_weight, 0., 1e6);
+  f("merging_cost.larger_closure_weight", p.merging_cost.larger_closure_weight, 0., 1e6);
+  f("merging_cost.seam_extent_weight", p.merging_cost.seam_extent_weight, 0., 1e6);
+  f("merging_cost.diameter_spread_weight", p.merging_cost.diameter_spread_weight, 0., 1e6);
+  f("merging_cost.continuation_weight", p.merging_cost.continuation_weight, 0., 1e6);
+  f("fusion_thresholds", p.fusion_thresholds, 0., 1.);
+  f("fusion", p.fusion, 0., 1.);
+  f("minimum_segment_share", p.minimum_segment_share, 0., 1.);
+  f("maximum_number_of_segments", p.maximum_number_of_segments, 0., 1e9);
+
+  f("refinement", p.refinement, 0., 2.);
+  f("band_width", p.band_width, 0., 1.);
+}
 
 inline void check_range(const char* name, const double value, const double low, const double high)
 {
@@ -332,66 +315,30 @@ inline void check_range(const char* name, const double value, const double low, 
                                 std::to_string(low) + " to " + std::to_string(high));
 }
 
-inline void check_cost(const std::string& name, const Merging_cost& cost)
+/// Refuses what is out of its range.
+struct Range_check
 {
-  const auto check = [&name](const char* member, const double value, const double high)
-  { check_range((name + "." + member).c_str(), value, 0., high); };
-  check("visibility_weight", cost.visibility_weight, 1e6);
-  check("concavity_weight", cost.concavity_weight, 1e6);
-  check("concavity_saturation", cost.concavity_saturation, 1.);
-  check("diameter_weight", cost.diameter_weight, 1e6);
-  check("smaller_closure_weight", cost.smaller_closure_weight, 1e6);
-  check("larger_closure_weight", cost.larger_closure_weight, 1e6);
-  check("seam_extent_weight", cost.seam_extent_weight, 1e6);
-  check("diameter_spread_weight", cost.diameter_spread_weight, 1e6);
-  check("continuation_weight", cost.continuation_weight, 1e6);
-}
+  template <typename Member>
+  void operator()(const char* name, const Member& value, const double low, const double high) const
+  {
+    check_range(name, static_cast<double>(value), low, high);
+  }
+  void operator()(const char* name, const std::vector<double>& values, const double low,
+                  const double high) const
+  {
+    for (const double value : values) check_range(name, value, low, high);
+  }
+};
 
 } // namespace internal
 
 inline void Parameters::check() const
 {
-  const auto check = [](const char* name, const auto value, const double low, const double high)
-  { internal::check_range(name, static_cast<double>(value), low, high); };
-  check("number_of_neighbors", number_of_neighbors, 3., 100.);
-  check("number_of_representatives", number_of_representatives, 100., 1e9);
-  check("face_sampling_factor", face_sampling_factor, 0., 1000.);
-  check("minimum_face_samples", minimum_face_samples, 0., 1e6);
-  check("noise_tolerance", noise_tolerance, 0., 180.);
-  check("mesh_noise_tolerance", mesh_noise_tolerance, 0., 180.);
-  check("number_of_patches", number_of_patches, 1., 1000.);
-  check("number_of_patch_sets", number_of_patch_sets, 1., 100.);
-  check("number_of_supervoxels", number_of_supervoxels, 1., 20000.);
-  check("spectral_dimensions", spectral_dimensions, 0.01, 1.);
-  check("patch_concavity_tolerance", patch_concavity_tolerance, 0., 180.);
-  check("concave_edge_weight", concave_edge_weight, 0., 1.);
-  check("minimum_patch_size", minimum_patch_size, 0., 1e9);
-  check("samples_per_patch", samples_per_patch, 1., 100.);
-  check("disk_radius_factor", disk_radius_factor, 1e-6, 10.);
-  check("clearance_factor", clearance_factor, 0., 100.);
-  check("grazing_tolerance", grazing_tolerance, 0., 89.);
-  check("outside_tolerance", outside_tolerance, 0., 90.);
-  for (const double theta : fusion_thresholds) check("fusion_thresholds", theta, 0., 1.);
-  check("signature_threshold", signature_threshold, 0., 1.);
-  check("concave_seam_ratio", concave_seam_ratio, 0., 1e9);
-  check("flat_share", flat_share, 0., 1.);
-  check("flat_visibility", flat_visibility, 0., 1.);
-  check("histogram_bins", histogram_bins, 2., 64.);
-  check("diameter_cone_angle", diameter_cone_angle, 1e-3, 179.);
-  check("diameter_samples", diameter_samples, 1., 1e6);
-  check("diameter_rays", diameter_rays, 1., 256.);
-  check("seam_concavity_tolerance", seam_concavity_tolerance, 0., 179.);
-  internal::check_cost("merging_cost", merging_cost);
-  check("missing_diameter_distance", missing_diameter_distance, 0., 1e6);
-  check("fusion_threshold", fusion_threshold, 0., 1e6);
-  check("merging_threshold", merging_threshold, 0., 1e6);
-  check("minimum_segment_share", minimum_segment_share, 0., 1.);
-  check("fitted_fusion_threshold", fitted_fusion_threshold, 0., 1.);
-  check("fitted_merging_threshold", fitted_merging_threshold, 0., 1.);
-  check("band_width", band_width, 0., 1.);
-  check("data_exponent", data_exponent, 0., 100.);
-  check("data_weight", data_weight, 0., 1e6);
-  check("smoothness_angle", smoothness_angle, 1e-3, 180.);
+  internal::for_each_parameter(*this, internal::Range_check());
+  if (merging == Merging_rule::COST) return;
+  internal::check_range("merging_threshold", merging_threshold, 0., 1.);
+  if (merging == Merging_rule::FITTED)
+    internal::check_range("fusion_threshold", fusion_threshold, 0., 1.);
 }
 
 } // namespace Weakly_convex_segmentation

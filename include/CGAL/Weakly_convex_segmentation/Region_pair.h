@@ -41,7 +41,7 @@ public:
   /// share of the seam that is concave, in `[0, 1]` (section 5)
   double concave_share() const { return m_measures.concave_share(m_smaller, m_larger); }
   /// earth mover's distance of the histograms of the logarithms of the shape diameter (section 5), at least
-  /// 0; `Parameters::missing_diameter_distance` where one of the regions has no diameter
+  /// 0; 0.35 where one of the regions has no diameter
   double diameter_distance() const { return m_measures.diameter_distance(m_smaller, m_larger); }
   /// geometric mean of the shape diameter in the smaller region, relative to the extent; 0: none
   double diameter_of_smaller() const { return m_measures.diameter(m_smaller); }

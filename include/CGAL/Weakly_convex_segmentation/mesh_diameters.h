@@ -36,7 +36,7 @@ namespace Weakly_convex_segmentation {
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 /// \param mesh a triangle mesh, closed for meaningful diameters; it is not changed
-/// \param parameters gives the rays a face (`Parameters::diameter_rays`) and the opening angle of the cone
+/// \param parameters gives the rays a face and the opening angle of the cone
 ///   (`Parameters::diameter_cone_angle`)
 /// \param np optional named parameters
 ///
@@ -55,7 +55,7 @@ namespace Weakly_convex_segmentation {
 /// \returns one value a face, in the order of `faces(mesh)` and in units of the mesh: -1 if no ray hit;
 ///   nothing for a mesh without faces
 ///
-/// Complexity: O(f log f) for f faces, with `Parameters::diameter_rays` rays each. The function is reentrant.
+/// Complexity: O(f log f) for f faces, with 10 rays each. The function is reentrant.
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 std::vector<double> mesh_diameters(const TriangleMesh& mesh, const Parameters& parameters = {},
                                    const NamedParameters& np = parameters::default_values())
@@ -71,7 +71,7 @@ std::vector<double> mesh_diameters(const TriangleMesh& mesh, const Parameters& p
                                        typename CGAL::Kernel_traits<Point>::Kernel());
   const auto values = get(CGAL::dynamic_face_property_t<double>(), mesh);
   CGAL::sdf_values(mesh, values, parameters.diameter_cone_angle * (CGAL_PI / 180.),
-                   parameters.diameter_rays, false, points, traits);
+                   internal::diameter_rays, false, points, traits);
   for (const auto f : faces(mesh)) diameters.push_back(get(values, f));
   return diameters;
 }

@@ -108,8 +108,7 @@ inline Result segment_shape(Shape_analysis& shape, const Parameters& parameters,
     return shape.patch_sets.size();
   };
   control.stage(Stage::CONSENSUS, decide);
-  Cut_patches patches =
-      cut_patches(shape.graph, shape.patches(), segments, parameters.minimum_patch_size);
+  Cut_patches patches = cut_patches(shape.graph, shape.patches(), segments);
   Merge_tree tree = merge_within_segments(shape, patches, parameters, control, own_cost);
   const std::vector<int> region = tree.labels_after(tree.number_of_accepted_merges());
   for (std::size_t i = 0; i < segments.size(); ++i)

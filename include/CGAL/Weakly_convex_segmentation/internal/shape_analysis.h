@@ -54,7 +54,6 @@ struct Shape_analysis
   std::vector<Patch_set> patch_sets; ///< the first is what the merge tree is about
   std::unique_ptr<Line_of_sight_query> sight;
   std::vector<Diameter_sample> diameters; ///< through the whole shape
-  std::size_t diameter_samples = 0;       ///< how many there are to be
   bool has_diameters = false; ///< measured or given; else the samples tell only what they face
 
   const Oriented_points& points() const { return representatives.points; }
@@ -67,7 +66,7 @@ struct Shape_analysis
 };
 
 /// samples the shape for the merging rules, unless that has been done.
-inline void sample_diameters(Shape_analysis& shape, const Parameters& parameters,
+inline void sample_diameters(Shape_analysis& shape, const Diameter_parameters& parameters,
                              const bool parallel)
 {
   const bool is_whole = parameters.diameter == Diameter_rule::WHOLE_SHAPE;
@@ -89,17 +88,16 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
                 [&]
                 {
                   Raw_shape sampled, smoothed;
-                  const bool is_rough = denoise_mesh(raw, radians(parameters.mesh_noise_tolerance),
-                                                     control, smoothed);
+                  const bool is_rough = parameters.denoise && denoise_mesh(raw, control, smoothed);
                   const Raw_shape& faces = is_rough ? smoothed : raw;
                   const bool has_more = sample_faces(faces, parameters, sampled);
                   control.check();
-                  shape->input = orient_points(has_more ? sampled : faces, control.parallel,
-                                               control, parameters.align_principal_axes);
+                  shape->input =
+                      orient_points(has_more ? sampled : faces, control.parallel, control, true);
                   control.check();
                   shape->representatives =
                       downsample(shape->input, parameters.number_of_representatives,
-                                 control.parallel, parameters.noise_tolerance < 180.);
+                                 control.parallel, parameters.denoise);
                   control.check();
                   if (parameters.flip_inward_normals && is_inside_out(shape->points()))
                   {
@@ -110,17 +108,16 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
                   if (!parameters.use_mesh_adjacency) shape->representatives.points.links.clear();
                   return shape->points().size();
                 });
-  control.stage(Stage::NEIGHBORS,
-                [&]
-                {
-                  shape->graph = build_neighbor_graph(
-                      shape->representatives.points, parameters.number_of_neighbors,
-                      control.parallel, parameters.link_across_lines);
-                  shape->is_smoothed =
-                      denoise_points(radians(parameters.noise_tolerance), shape->graph,
-                                     shape->representatives.points) > 0;
-                  return shape->graph.neighbors.size() / 2;
-                });
+  control.stage(
+      Stage::NEIGHBORS,
+      [&]
+      {
+        shape->graph = build_neighbor_graph(shape->representatives.points,
+                                            parameters.number_of_neighbors, control.parallel, true);
+        shape->is_smoothed =
+            parameters.denoise && denoise_points(shape->graph, shape->representatives.points) > 0;
+        return shape->graph.neighbors.size() / 2;
+      });
   control.stage(Stage::PATCHES,
                 [&]
                 {
@@ -144,7 +141,6 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
   control.stage(Stage::SIGNATURES,
                 [&]
                 {
-                  shape->diameter_samples = parameters.diameter_samples;
                   sample_diameters(*shape, parameters, control.parallel);
                   return shape->diameters.size();
                 });
@@ -156,9 +152,8 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
 inline void use_diameters(Shape_analysis& shape, const std::vector<double>& of_elements,
                           const bool parallel)
 {
-  Parameters parameters;
+  Diameter_parameters parameters;
   parameters.diameter = Diameter_rule::GIVEN;
-  parameters.diameter_samples = shape.diameter_samples;
   sample_diameters(shape, parameters, parallel);
   shape.has_diameters = true;
   std::vector<float> given(shape.points().size(), 0.f);

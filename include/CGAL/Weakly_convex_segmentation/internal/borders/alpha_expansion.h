@@ -191,8 +191,7 @@ points_near_borders(const Neighbor_graph& graph,
 inline Labeling_problem
 band_problem(const Neighbor_graph& graph, const std::vector<int>& labels,
              const std::vector<std::vector<std::pair<int, float>>>& near_labels,
-             const std::vector<Index>& points, const int number_of_labels,
-             const Parameters& parameters)
+             const std::vector<Index>& points, const int number_of_labels)
 {
   constexpr std::size_t outside = static_cast<std::size_t>(-1);
   constexpr double fixed = 1e4; // labels that are out of reach
@@ -201,14 +200,14 @@ band_problem(const Neighbor_graph& graph, const std::vector<int>& labels,
     for (const auto& entry : row) largest = (std::max)(largest, static_cast<double>(entry.second));
   std::vector<std::size_t> vertex_of(graph.size(), outside);
   for (std::size_t v = 0; v < points.size(); ++v) vertex_of[points[v]] = v;
+  constexpr double data_weight = 0.1; // against the smoothness cost (equation 3)
   Labeling_problem problem;
   for (const Index i : points)
   {
     std::vector<double> costs(static_cast<std::size_t>(number_of_labels), fixed);
     costs[labels[i]] = 0.;
     for (const auto& [label, distance] : near_labels[i])
-      costs[label] =
-          parameters.data_weight * std::pow(distance / largest, parameters.data_exponent);
+      costs[label] = data_weight * std::pow(distance / largest, data_exponent);
     problem.label_costs.push_back(std::move(costs));
     for (const Neighbor& edge : graph[i])
       if (edge.point > i && vertex_of[edge.point] != outside)
@@ -218,7 +217,7 @@ band_problem(const Neighbor_graph& graph, const std::vector<int>& labels,
 }
 
 /// moves all borders at once by alpha expansion.
-inline void expand_labels(const Neighbor_graph& graph, const Parameters& parameters,
+inline void expand_labels(const Neighbor_graph& graph, const Border_parameters& parameters,
                           std::vector<int>& labels)
 {
   const int number_of_labels = 1 + *std::max_element(labels.begin(), labels.end());
@@ -226,7 +225,7 @@ inline void expand_labels(const Neighbor_graph& graph, const Parameters& paramet
       label_distances(graph, labels, number_of_labels, static_cast<float>(parameters.band_width));
   const std::vector<Index> points = points_near_borders(graph, near_labels);
   const Labeling_problem problem =
-      band_problem(graph, labels, near_labels, points, number_of_labels, parameters);
+      band_problem(graph, labels, near_labels, points, number_of_labels);
   std::vector<int> band_labels;
   for (const Index i : points) band_labels.push_back(labels[i]);
   alpha_expansion(problem, number_of_labels, band_labels);

@@ -25,6 +25,9 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// exponent of the distance in the data cost (equation 4)
+constexpr double data_exponent = 1.5;
+
 /// Where a point lies in the band along the borders.
 struct Band_point
 {

@@ -56,7 +56,7 @@ inline void remove_islands(const Neighbor_graph& graph, std::vector<int>& labels
 }
 
 /// moves the borders by the rule that is asked for.
-inline void move_borders(const Neighbor_graph& graph, const Parameters& parameters,
+inline void move_borders(const Neighbor_graph& graph, const Border_parameters& parameters,
                          std::vector<int>& labels, const bool parallel)
 {
   if (parameters.refinement == Refinement_rule::SEAM_CUTS)
@@ -68,7 +68,7 @@ inline void move_borders(const Neighbor_graph& graph, const Parameters& paramete
 /// moves the borders and removes what islands that leaves; returns the number of points that changed. By
 /// cuts of seams again from where they are then, until they stay: borders that began apart come to the same
 /// place more often. The paper's rule moves them once.
-inline std::size_t refine_borders(const Neighbor_graph& graph, const Parameters& parameters,
+inline std::size_t refine_borders(const Neighbor_graph& graph, const Border_parameters& parameters,
                                   std::vector<int>& labels, const bool parallel = false)
 {
   if (parameters.refinement == Refinement_rule::NONE || parameters.band_width == 0.) return 0;

@@ -30,20 +30,14 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// Cost of a border across an edge: 1, less where it is concave.
-class Border_cost
+/// returns the cost of a border across an edge: 1, less where it is concave.
+inline double border_cost(const Neighbor& edge)
 {
-  float m_angle;
-
-public:
-  explicit Border_cost(const double half_cost_degrees) : m_angle(radians(half_cost_degrees)) {}
-  double operator()(const Neighbor& edge) const
-  {
-    if (edge.concavity <= 0.f) return 1.;
-    const double ratio = edge.concavity / m_angle;
-    return 1. / (1. + ratio * ratio);
-  }
-};
+  constexpr float half_cost = radians(10.); // the concavity that halves the cost
+  if (edge.concavity <= 0.f) return 1.;
+  const double ratio = edge.concavity / half_cost;
+  return 1. / (1. + ratio * ratio);
+}
 
 /// The band as what the cuts need: each point in it belongs to one seam, those of other seams and
 /// beyond the band keep their label during the cut.
@@ -83,10 +77,12 @@ inline Seams find_seams(const Neighbor_graph& graph, const std::vector<int>& lab
 /// returns the cost of moving a point that is a band's width from the border (equations 3 and 4). The
 /// points in an area number as the square of the edges across a line, so it goes with the spacing: else
 /// borders would move less in denser points.
-inline double cost_of_move(const Neighbor_graph& graph, const Parameters& parameters)
+inline double cost_of_move(const Neighbor_graph& graph, const Border_parameters& parameters)
 {
+  constexpr double data_weight =
+      1.5; // against the smoothness cost, at a spacing of the band's width
   const double sum = std::accumulate(graph.spacing.begin(), graph.spacing.end(), 0.);
-  return parameters.data_weight * sum /
+  return data_weight * sum /
          (static_cast<double>((std::max)(graph.size(), std::size_t(1))) * parameters.band_width);
 }
 
@@ -94,9 +90,8 @@ inline double cost_of_move(const Neighbor_graph& graph, const Parameters& parame
 /// a point at the edge of the band.
 inline void cut_seam(const Neighbor_graph& graph, const Seams& seams, const Index seam,
                      const std::vector<int>& before, const double dearest,
-                     const Parameters& parameters, std::vector<int>& labels)
+                     const Border_parameters& parameters, std::vector<int>& labels)
 {
-  const Border_cost border(parameters.smoothness_angle);
   const auto [a, b] = seams.labels[seam];
   const std::vector<Index>& points = seams.members[seam];
   // a fresh graph each time: MaxFlow::Graph::clear() of CGAL 5.5.1 and 6.0.1 keeps the flow (test_cgal_faults)
@@ -106,19 +101,19 @@ inline void cut_seam(const Neighbor_graph& graph, const Seams& seams, const Inde
   for (std::size_t n = 0; n < points.size(); ++n)
   {
     const Index i = points[n];
-    const double move = dearest * std::pow(seams.band[i].distance / parameters.band_width,
-                                           parameters.data_exponent);
+    const double move =
+        dearest * std::pow(seams.band[i].distance / parameters.band_width, data_exponent);
     double cost_of_a = before[i] == a ? 0. : move, cost_of_b = before[i] == b ? 0. : move;
     for (const Neighbor& edge : graph[i])
     {
       const Seams::Node node = seams.nodes[edge.point];
       if (node.seam != seam)
       {
-        if (before[edge.point] == a) cost_of_b += border(edge);
-        if (before[edge.point] == b) cost_of_a += border(edge);
+        if (before[edge.point] == a) cost_of_b += border_cost(edge);
+        if (before[edge.point] == b) cost_of_a += border_cost(edge);
       }
       else if (node.number > n)
-        flow.add_edge(ids[n], ids[node.number], border(edge), border(edge));
+        flow.add_edge(ids[n], ids[node.number], border_cost(edge), border_cost(edge));
     }
     flow.add_tweights(ids[n], cost_of_b, cost_of_a); // the source's side is label a
   }
@@ -129,7 +124,7 @@ inline void cut_seam(const Neighbor_graph& graph, const Seams& seams, const Inde
 
 /// moves the border between each two segments on its own, by a minimum cut of the points that are
 /// nearer to this border than to any other.
-inline void cut_seams(const Neighbor_graph& graph, const Parameters& parameters,
+inline void cut_seams(const Neighbor_graph& graph, const Border_parameters& parameters,
                       std::vector<int>& labels, const bool parallel)
 {
   const std::vector<int> before = labels;

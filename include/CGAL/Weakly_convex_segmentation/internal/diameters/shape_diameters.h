@@ -29,6 +29,11 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// rays of a point for the diameter through the whole shape
+constexpr std::size_t diameter_rays = 10;
+/// points with such a diameter, spread over the shape
+constexpr std::size_t number_of_diameters = 2000;
+
 /// A point with the diameter of the shape there; 0 if there is none. The points that it faces along
 /// its normal, across the volume and across the space outside, tell of walls and cavities.
 struct Diameter_sample
@@ -75,13 +80,13 @@ inline void cone_directions(const Vector3& axis, const float half_angle, const s
 /// Rays start inwards in a cone about the reversed normal and end where they first leave the shape;
 /// their median, weighted by the cosine, is the diameter.
 inline float cone_diameter(const Line_of_sight_query& sight, const Index i,
-                           const Parameters& parameters)
+                           const Diameter_parameters& parameters)
 {
   const Oriented_points& points = sight.points();
   const Vector3 inwards = -1.f * points.normals[i];
   std::vector<Vector3> directions;
   std::vector<std::pair<float, float>> lengths;
-  cone_directions(inwards, radians(0.5 * parameters.diameter_cone_angle), parameters.diameter_rays,
+  cone_directions(inwards, radians(0.5 * parameters.diameter_cone_angle), diameter_rays,
                   directions);
   for (const Vector3& d : directions)
   {
@@ -93,11 +98,12 @@ inline float cone_diameter(const Line_of_sight_query& sight, const Index i,
 
 /// samples a bounded number of points over the whole shape: what they face, and the diameters, but with
 /// `Diameter_rule::GIVEN`, when they come from elsewhere.
-inline std::vector<Diameter_sample>
-shape_diameters(const Line_of_sight_query& sight, const Parameters& parameters, const bool parallel)
+inline std::vector<Diameter_sample> shape_diameters(const Line_of_sight_query& sight,
+                                                    const Diameter_parameters& parameters,
+                                                    const bool parallel)
 {
   const Oriented_points& points = sight.points();
-  const std::size_t count = (std::min)(points.size(), parameters.diameter_samples);
+  const std::size_t count = (std::min)(points.size(), number_of_diameters);
   const bool is_given = parameters.diameter == Diameter_rule::GIVEN;
   std::vector<Diameter_sample> samples(count);
   parallel_for(
@@ -118,7 +124,8 @@ shape_diameters(const Line_of_sight_query& sight, const Parameters& parameters, 
 /// max(100, 0.1 |C|) points spread over the component.
 inline std::vector<Diameter_sample> own_diameters(const Oriented_points& points,
                                                   const std::vector<Index>& component,
-                                                  const Parameters& parameters, const bool parallel)
+                                                  const Diameter_parameters& parameters,
+                                                  const bool parallel)
 {
   const std::size_t wanted = (std::max)(std::size_t(100), component.size() / 10);
   const std::vector<Index> sample = spread_sample(component, wanted);

@@ -193,14 +193,14 @@ inline Raw_shape with_positions(const Raw_shape& raw, const Mesh_vertices& verti
   return moved;
 }
 
-/// smooths a mesh whose faces are rougher than `tolerance`, in radians, the more the rougher they are.
+/// smooths a mesh whose faces are rougher than a tolerance, the more the rougher they are.
 /// Returns whether `result` was made: points without faces and smooth meshes serve as they are.
 ///
 /// What noise leaves of the slopes after so many rounds goes with its size over their number. Complexity:
 /// linear in the faces but for the sort of their corners.
-inline bool denoise_mesh(const Raw_shape& raw, const double tolerance, const Run_control& control,
-                         Raw_shape& result)
+inline bool denoise_mesh(const Raw_shape& raw, const Run_control& control, Raw_shape& result)
 {
+  constexpr double tolerance = radians(4.6); // where the median face is rougher, noise did it
   constexpr double roughness_per_round = radians(2.4);
   if (raw.first_corner.size() != raw.positions.size() + 1) return false;
   const double rough = face_roughness(raw);

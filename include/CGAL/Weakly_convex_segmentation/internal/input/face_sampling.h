@@ -218,17 +218,19 @@ inline void link_samples(const Raw_shape& raw, const Face_samples& samples, cons
 /// adds points on the faces that are much longer than usual.
 ///
 /// An edge is too long from `face_sampling_factor` times the square root of the mean area of a face
-/// on, or of a `minimum_face_samples`-th of the area. At most `number_of_representatives` points are
+/// on, or of a thousandth of the area. At most `number_of_representatives` points are
 /// added; the length grows until that holds. Returns whether `result` was made: no face too long,
 /// or no corners known, and the points serve as they are.
-inline bool sample_faces(const Raw_shape& raw, const Parameters& parameters, Raw_shape& result)
+inline bool sample_faces(const Raw_shape& raw, const Sampling_parameters& parameters,
+                         Raw_shape& result)
 {
+  constexpr std::size_t fewest_samples = 1000; // meshes of fewer faces count as so many
   const std::size_t faces = raw.positions.size();
   const double area = total_area(raw);
   if (raw.first_corner.size() != faces + 1 || parameters.face_sampling_factor == 0. ||
       !(area > 0.) || !std::isfinite(area))
     return false;
-  const double wanted = static_cast<double>((std::max)(faces, parameters.minimum_face_samples));
+  const double wanted = static_cast<double>((std::max)(faces, fewest_samples));
   double longest = parameters.face_sampling_factor * std::sqrt(area / wanted);
   if (!(longest * longest > 0.) || !std::isfinite(longest * longest)) return false;
   Face_samples samples = cut_faces(raw, longest, parameters.number_of_representatives);

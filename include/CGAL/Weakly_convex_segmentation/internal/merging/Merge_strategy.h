@@ -49,8 +49,8 @@ class Cost_strategy : public Merge_strategy
 public:
   Cost_strategy(const Shape_analysis& shape, const Patches& patches, Region_graph& graph,
                 const Parameters& parameters, Merge_cost cost)
-    : m_graph(graph), m_parameters(parameters), m_cost(std::move(cost)), m_scale(scale(parameters)),
-      m_measures(graph, patches, shape.diameters, m_scale, parameters)
+    : m_graph(graph), m_parameters(parameters), m_cost(std::move(cost)),
+      m_measures(graph, patches, shape.diameters, m_scale)
   {
     set_signatures(graph, patches, shape.diameters, m_scale);
     graph.add_shapes(shape.points(), shape.graph, patches, shape.diameters);
@@ -73,13 +73,6 @@ public:
   }
 
 private:
-  static Histogram_scale scale(const Parameters& parameters)
-  {
-    Histogram_scale scale;
-    scale.bins = parameters.histogram_bins;
-    return scale;
-  }
-
   void contract_up_to(const double threshold, const Contraction_log& log)
   {
     internal::contract_up_to(
@@ -113,7 +106,7 @@ public:
   {
     merge_components(m_graph, m_signatures, m_shape.diameters, m_parameters, log);
   }
-  double merging_threshold() const override { return m_parameters.signature_threshold; }
+  double merging_threshold() const override { return m_parameters.merging_threshold; }
   double cost_above_threshold(const int a, const int b) override
   {
     return 2. - m_graph.visibility(a, b);

@@ -34,7 +34,7 @@ public:
   Pair_features(Region_graph& graph, const Patches& patches,
                 const std::vector<Diameter_sample>& samples)
     : m_graph(graph), m_patches(patches), m_samples(samples),
-      m_cost(graph, patches, samples, m_scale, m_parameters)
+      m_cost(graph, patches, samples, m_scale, missing_diameter_distance)
   {
     double measured = 0., sum = 0.;
     for (const Diameter_sample& s : samples)
@@ -52,13 +52,7 @@ public:
   void compute(int a, int b, std::vector<float>& features);
 
 private:
-  static Parameters fixed_parameters()
-  {
-    Parameters parameters;
-    parameters.missing_diameter_distance = 0.302;
-    return parameters;
-  }
-
+  static constexpr double missing_diameter_distance = 0.302; ///< as when the table was fitted
   static constexpr float wall = 0.025f; ///< thickness of a wall, relative to the extent
   static double missing() { return std::numeric_limits<double>::quiet_NaN(); }
 
@@ -149,7 +143,6 @@ private:
   const Patches& m_patches;
   const std::vector<Diameter_sample>& m_samples;
   const Histogram_scale m_scale = {};
-  const Parameters m_parameters = fixed_parameters();
   const Region_cost m_cost;
   double m_whole_diameter = 0., m_whole_thin = 0.;
 };
@@ -289,7 +282,7 @@ inline void Pair_features::add_costs(const int a, const int b, std::vector<float
   const double leniency = std::pow((std::min)(1., share / 0.03), 0.08);
   add_feature(f, leniency * (1.33 * blindness + 0.55 * concavity + 0.145 * distance));
   add_feature(f, leniency * (0.114 * blindness + 3.05 * concavity + distance));
-  constexpr Merging_cost weights = {1., 2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
+  constexpr Merging_cost weights = {2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
   add_feature(f, m_cost(a, b, weights, (std::numeric_limits<double>::max)()));
 }
 

@@ -34,9 +34,9 @@ class Region_cost
 public:
   Region_cost(Region_graph& graph, const Patches& patches,
               const std::vector<Diameter_sample>& samples, const Histogram_scale& scale,
-              const Parameters& parameters)
+              const double missing_diameter_distance = 0.35)
     : m_graph(graph), m_patches(patches), m_samples(samples), m_scale(scale),
-      m_parameters(parameters), m_inside(graph.regions().size())
+      m_missing_distance(missing_diameter_distance), m_inside(graph.regions().size())
   {}
 
   /// returns the weighted cost, infinity if it is above `threshold`. Lines of sight are cast only if
@@ -46,14 +46,14 @@ public:
   {
     const double known = without_visibility(a, b, weights);
     if (known > threshold) return std::numeric_limits<double>::infinity();
-    const double cost = known + weights.visibility_weight * (1. - m_graph.visibility(a, b));
+    const double cost = known + (1. - m_graph.visibility(a, b));
     return cost <= threshold ? cost : std::numeric_limits<double>::infinity();
   }
 
   /// returns the cost as if the regions did not see each other at all.
   double blind(const int a, const int b, const Merging_cost& weights) const
   {
-    return weights.visibility_weight + without_visibility(a, b, weights);
+    return 1. + without_visibility(a, b, weights);
   }
 
   /// share of the points in the smaller region, in [0, 1]
@@ -205,7 +205,7 @@ private:
   const Patches& m_patches;
   const std::vector<Diameter_sample>& m_samples;
   const Histogram_scale& m_scale;
-  const Parameters& m_parameters;
+  double m_missing_distance;            ///< of histograms of which one is empty
   mutable std::vector<Inside> m_inside; // by region
 };
 
@@ -213,7 +213,7 @@ inline double Region_cost::diameter_distance(const int a, const int b) const
 {
   const Diameter_histogram& first = m_graph.region(a).diameters;
   const Diameter_histogram& second = m_graph.region(b).diameters;
-  if (first.empty() || second.empty()) return m_parameters.missing_diameter_distance;
+  if (first.empty() || second.empty()) return m_missing_distance;
   return earth_movers_distance(first, second, m_scale);
 }
 
@@ -228,10 +228,9 @@ inline void set_signatures(Region_graph& graph, const Patches& patches,
 
 /// gives regions that are too small for a part to the neighbor that suits best.
 inline void absorb_small_regions(Region_graph& graph, const Region_cost& cost,
-                                 const Parameters& parameters, const Contraction_log& log)
+                                 const Merging_parameters& parameters, const Contraction_log& log)
 {
   Merging_cost balanced; // from the trial of the method
-  balanced.visibility_weight = 1.;
   balanced.concavity_weight = 0.5;
   balanced.diameter_weight = 0.3;
   constexpr double infinity = std::numeric_limits<double>::infinity();

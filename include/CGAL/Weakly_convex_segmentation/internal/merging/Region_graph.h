@@ -87,7 +87,7 @@ public:
   /// makes each patch a region. `piece_of` is empty, or has for each patch the one that it is a piece of and
   /// whose visibility it has.
   Region_graph(const Oriented_points& points, const Neighbor_graph& graph, const Patches& patches,
-               Patch_visibility& visibility, const Parameters& parameters,
+               Patch_visibility& visibility, const Merging_parameters& parameters,
                std::vector<int> piece_of = {});
 
   std::size_t number_of_regions() const { return m_count; }
@@ -153,7 +153,7 @@ private:
 
 inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_graph& graph,
                                   const Patches& patches, Patch_visibility& visibility,
-                                  const Parameters& parameters, std::vector<int> piece_of)
+                                  const Merging_parameters& parameters, std::vector<int> piece_of)
   : m_regions(patches.size()), m_seams(patches.size()), m_visibility(visibility),
     m_piece_of(std::move(piece_of)), m_count(patches.size()),
     m_total(static_cast<double>(points.size()))

@@ -60,7 +60,6 @@ public:
     : m_points(points), m_patches(patches), m_parameters(parameters), m_parallel(parallel)
   {
     m_scale.logarithmic = false;
-    m_scale.bins = parameters.histogram_bins;
     m_scale.low = 0.;
   }
 
@@ -99,8 +98,9 @@ public:
 
   bool is_flat(const Region& region) const
   {
+    constexpr double flat_share = 0.1; // silent: of the samples, at most so many have a diameter
     return region.diameters.empty() ||
-           region.diameters.measured <= m_parameters.flat_share * region.diameters.samples;
+           region.diameters.measured <= flat_share * region.diameters.samples;
   }
 
   /// returns the distance of two signatures relative to the largest one, in [0, 1].
@@ -151,13 +151,13 @@ inline void merge_similar_components(Region_graph& graph, const Component_signat
       [&](const int a, const int b)
       {
         constexpr double never = std::numeric_limits<double>::infinity();
+        constexpr double concave_seam_ratio = 0.85; // of concave to convex seam edges
         const Region &first = graph.region(a), &second = graph.region(b);
         if (signatures.is_flat(first) || signatures.is_flat(second)) return never;
         const Seam& seam = graph.seam(a, b);
-        if (seam.concave > 0. && seam.concave >= parameters.concave_seam_ratio * seam.convex)
-          return never;
+        if (seam.concave > 0. && seam.concave >= concave_seam_ratio * seam.convex) return never;
         const double d = signatures.distance(first, second);
-        return d <= parameters.signature_threshold ? d : never;
+        return d <= parameters.merging_threshold ? d : never;
       },
       log);
 }
@@ -166,9 +166,9 @@ inline void merge_similar_components(Region_graph& graph, const Component_signat
 ///
 /// First the longest seam that is strictly convex, then the highest ratio of convex to concave seam
 /// edges, if it is at least 1 and the two see each other well enough.
-inline int neighbor_of_flat_component(Region_graph& graph, const int flat,
-                                      const Parameters& parameters)
+inline int neighbor_of_flat_component(Region_graph& graph, const int flat)
 {
+  constexpr double flat_visibility = 0.4;
   std::vector<std::pair<double, int>> by_length, by_ratio;
   for (const auto& [other, seam] : graph.seams(flat))
   {
@@ -185,8 +185,7 @@ inline int neighbor_of_flat_component(Region_graph& graph, const int flat,
   }
   std::sort(by_ratio.begin(), by_ratio.end());
   for (const auto& [negative_ratio, other] : by_ratio)
-    if (-negative_ratio >= 1. && graph.visibility(flat, other) >= parameters.flat_visibility)
-      return other;
+    if (-negative_ratio >= 1. && graph.visibility(flat, other) >= flat_visibility) return other;
   return -1;
 }
 
@@ -200,10 +199,10 @@ inline void merge_flat_components(Region_graph& graph, const Component_signature
   for (const int r : flat)
   {
     if (!graph.is_region(r)) continue; // an earlier flat component took it
-    const int other = neighbor_of_flat_component(graph, r, parameters);
+    const int other = neighbor_of_flat_component(graph, r);
     if (other < 0 || !log.may_merge(other, r)) continue;
     graph.merge(other, r);
-    log.add(other, r, parameters.signature_threshold);
+    log.add(other, r, parameters.merging_threshold);
   }
 }
 

@@ -82,10 +82,9 @@ inline Border_points move_borders_among(const Shape_analysis& shape,
 {
   Border_points border{sub_points(shape.input, chosen), {}, {}};
   if (!keeps_links) border.points.links.clear();
-  border.graph = build_neighbor_graph(border.points, parameters.number_of_neighbors,
-                                      control.parallel, parameters.link_across_lines);
-  if (shape.is_smoothed)
-    denoise_points(radians(parameters.noise_tolerance), border.graph, border.points);
+  border.graph =
+      build_neighbor_graph(border.points, parameters.number_of_neighbors, control.parallel, true);
+  if (shape.is_smoothed) denoise_points(border.graph, border.points);
   control.check();
   for (const Index i : chosen) border.labels.push_back(labels[i]);
   move_borders(border.graph, parameters, border.labels, control.parallel);

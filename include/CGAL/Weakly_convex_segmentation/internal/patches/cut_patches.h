@@ -44,7 +44,8 @@ inline int most_frequent(const std::vector<Index>& points, const std::vector<int
 /// cuts the patches where the segments of the points end. Connected pieces of fewer than `minimum_size` points
 /// join a neighbor in the same segment, if there is one.
 inline Cut_patches cut_patches(const Neighbor_graph& graph, const Patches& patches,
-                               const std::vector<int>& segments, const std::size_t minimum_size)
+                               const std::vector<int>& segments,
+                               const std::size_t minimum_size = minimum_patch_size)
 {
   std::map<std::pair<int, int>, Index> number;
   std::vector<Index> labels;

@@ -36,6 +36,9 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// connected pieces of patches with fewer points are given to a neighbor
+constexpr std::size_t minimum_patch_size = 5;
+
 /// A partition of the points into connected, nearly convex patches.
 struct Patches
 {
@@ -84,8 +87,9 @@ inline Pieces connected_pieces(const Neighbor_graph& graph, const std::vector<In
 /// concave one `concave_weight`.
 inline std::vector<Convexity_graph::Edge> supervoxel_edges(const Neighbor_graph& graph,
                                                            const Supervoxels& supervoxels,
-                                                           const Parameters& parameters)
+                                                           const Patch_parameters& parameters)
 {
+  constexpr double concave_edge_weight = 0.001; // relative to 1 for the others
   const float tolerance = radians(parameters.patch_concavity_tolerance);
   std::vector<std::pair<std::uint64_t, double>> crossings;
   for (Index i = 0; i < graph.size(); ++i)
@@ -93,8 +97,7 @@ inline std::vector<Convexity_graph::Edge> supervoxel_edges(const Neighbor_graph&
     {
       const std::uint64_t a = supervoxels.of_point[i], b = supervoxels.of_point[edge.point];
       if (a < b)
-        crossings.push_back(
-            {a << 32 | b, edge.concavity > tolerance ? parameters.concave_edge_weight : 1.});
+        crossings.push_back({a << 32 | b, edge.concavity > tolerance ? concave_edge_weight : 1.});
     }
   std::sort(crossings.begin(), crossings.end());
   std::vector<Convexity_graph::Edge> edges;
@@ -265,7 +268,7 @@ inline Patches patches_of_labels(std::vector<int> labels)
 /// returns the patches that one clustering of the supervoxels gives.
 inline Patches cluster_to_patches(const Neighbor_graph& graph, const Supervoxels& supervoxels,
                                   const std::vector<Supervoxel_piece>& pieces,
-                                  const std::size_t minimum_patch_size, const unsigned int seed)
+                                  const unsigned int seed)
 {
   const std::vector<Index> cluster = cluster_supervoxels(supervoxels.count, pieces, seed);
   std::vector<Index> labels(graph.size());
@@ -279,7 +282,8 @@ inline Patches cluster_to_patches(const Neighbor_graph& graph, const Supervoxels
 /// begin at different supervoxels.
 inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
                                                const Neighbor_graph& graph,
-                                               const Parameters& parameters, const bool parallel,
+                                               const Patch_parameters& parameters,
+                                               const bool parallel,
                                                const Patch_clustering& clustering)
 {
   const Supervoxels supervoxels = build_supervoxels(points, graph, parameters.number_of_supervoxels,
@@ -295,17 +299,14 @@ inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
   parallel_for(
       sets.size(), parallel,
       [&](const std::size_t s)
-      {
-        sets[s] =
-            cluster_to_patches(graph, supervoxels, pieces, parameters.minimum_patch_size, seeds[s]);
-      },
+      { sets[s] = cluster_to_patches(graph, supervoxels, pieces, seeds[s]); },
       1);
   return sets;
 }
 
 /// over-segments the points into one set of patches.
 inline Patches extract_patches(const Oriented_points& points, const Neighbor_graph& graph,
-                               Parameters parameters)
+                               Patch_parameters parameters)
 {
   parameters.number_of_patch_sets = 1;
   return std::move(extract_patch_sets(points, graph, parameters, false,

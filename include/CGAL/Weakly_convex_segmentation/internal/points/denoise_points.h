@@ -103,13 +103,13 @@ inline void smooth_once(const Neighbor_graph& graph, const float other_side,
   points.positions = std::move(positions);
 }
 
-/// smooths the points while the normals are rougher than `tolerance`, in radians, or contradict the
+/// smooths the points while the normals are rougher than a tolerance or contradict the
 /// positions by more than twice that, and renews the graph's lengths and angles. Normals that are smooth
 /// and contradict the positions little, as those of a scanner that knows more than its points tell, stay.
 /// Returns how often. Complexity: linear.
-inline std::size_t denoise_points(const float tolerance, Neighbor_graph& graph,
-                                  Oriented_points& points)
+inline std::size_t denoise_points(Neighbor_graph& graph, Oriented_points& points)
 {
+  constexpr float tolerance = radians(2.5);
   constexpr std::size_t most = 12;
   constexpr float crumpled = radians(18.); // such normals tell nothing about sides
   constexpr float right_angle = 0.1f;      // of walls at one, about, rounding must not decide

@@ -22,23 +22,23 @@
 
 // Lines of sight between points (section 3): against the disks of the points, or what the caller has.
 //
-// The paper is silent on how near the ends of a line the disks begin to occlude, and on whether a
-// line that passes outside of the shape, over a gap, counts: see `Parameters::clearance_factor` and
-// `Parameters::outside_tolerance`.
+// The paper is silent on how near the ends of a line the disks begin to occlude, see make_disk_tree(), and on
+// whether a line that passes outside of the shape, over a gap, counts: it does.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// returns the disk of every point, as large as the mean distance to its neighbors.
-inline std::vector<Disk> make_disks(const Oriented_points& points, const Neighbor_graph& graph,
-                                    const double radius_factor)
+/// returns the disks of the points, each as large as the mean distance to its neighbors (section 3), to be asked
+/// for what is in the way.
+inline Disk_tree make_disk_tree(const Oriented_points& points, const Neighbor_graph& graph,
+                                const Visibility_parameters& parameters)
 {
+  constexpr float clearance = 2.f; // in radii: disks nearer to an end of a line do not occlude it
   std::vector<Disk> disks(points.size());
   for (std::size_t i = 0; i < disks.size(); ++i)
-    disks[i] = {points.positions[i], points.normals[i],
-                static_cast<float>(radius_factor) * graph.spacing[i]};
-  return disks;
+    disks[i] = {points.positions[i], points.normals[i], graph.spacing[i]};
+  return Disk_tree(std::move(disks), clearance, std::sin(radians(parameters.grazing_tolerance)));
 }
 
 /// returns `count` members spread evenly: members are in spatial order, so equal steps are fair.
@@ -57,15 +57,10 @@ class Line_of_sight_query
 {
 public:
   Line_of_sight_query(const Oriented_points& points, const Neighbor_graph& graph,
-                      const Parameters& parameters, const Line_of_sight_functions& own = {})
+                      const Visibility_parameters& parameters,
+                      const Line_of_sight_functions& own = {})
     : m_points(points), m_own(own),
-      m_tree(own.sees ? std::vector<Disk>()
-                      : make_disks(points, graph, parameters.disk_radius_factor),
-             static_cast<float>(parameters.clearance_factor),
-             std::sin(radians(parameters.grazing_tolerance))),
-      m_outside_slope(parameters.outside_tolerance < 90.
-                          ? std::sin(radians(parameters.outside_tolerance))
-                          : 2.f)
+      m_tree(own.sees ? Disk_tree({}, 0.f, 0.f) : make_disk_tree(points, graph, parameters))
   {
     if (own.sees) m_nearest = std::make_unique<Kd_tree>(points.positions);
   }
@@ -73,8 +68,7 @@ public:
   const Oriented_points& points() const { return m_points; }
   const Disk_tree& tree() const { return m_tree; }
 
-  /// returns whether the segment from `i` to `j` leaves the surface inwards at both ends, up to the
-  /// tolerance, and nothing is in its way.
+  /// returns whether nothing is in the way of the segment from `i` to `j`.
   bool sees(const Index i, const Index j) const
   {
     Disk_tree::Hint hint = Disk_tree::no_hint;
@@ -83,10 +77,10 @@ public:
   /// the same for one of many lines between the same parts, see `Disk_tree::unoccluded()`
   bool sees(const Index i, const Index j, Disk_tree::Hint& hint) const
   {
-    return i == j || (is_within(i, j, m_outside_slope) && is_free(i, j, hint));
+    return i == j || is_free(i, j, hint);
   }
 
-  /// the same with a tolerance of its own, in degrees
+  /// the same for segments that leave the surface inwards at both ends, up to a tolerance in degrees
   bool sees_inside(const Index i, const Index j, const double tolerance) const
   {
     Disk_tree::Hint hint = Disk_tree::no_hint;
@@ -109,7 +103,6 @@ public:
 private:
   bool is_within(const Index i, const Index j, const float slope) const
   {
-    if (slope > 1.f) return true;
     const Vector3 direction = m_points.positions[j] - m_points.positions[i];
     const float highest = slope * length(direction);
     return dot(m_points.normals[i], direction) <= highest &&
@@ -143,7 +136,6 @@ private:
   Line_of_sight_functions m_own;
   Disk_tree m_tree; ///< without disks where the caller has a line of sight
   std::unique_ptr<Kd_tree> m_nearest;
-  float m_outside_slope;
 };
 
 } // namespace internal

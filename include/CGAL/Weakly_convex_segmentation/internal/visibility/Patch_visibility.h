@@ -32,12 +32,12 @@ class Patch_visibility
 {
 public:
   Patch_visibility(const Line_of_sight_query& sight, const Patches& patches,
-                   const Parameters& parameters, const bool parallel)
-    : m_sight(sight), m_early(parameters.rays_for_early_decision),
-      m_most(parameters.maximum_rays_per_pair), m_parallel(parallel)
+                   const Visibility_parameters& parameters, const bool parallel)
+    : m_sight(sight), m_most(parameters.maximum_rays_per_pair), m_parallel(parallel)
   {
+    constexpr std::size_t samples_per_patch = 10; // s_vis of section 4
     for (const auto& members : patches.members)
-      m_samples.push_back(spread_sample(members, parameters.samples_per_patch));
+      m_samples.push_back(spread_sample(members, samples_per_patch));
   }
 
   std::size_t number_of_patches() const { return m_samples.size(); }
@@ -86,13 +86,15 @@ private:
     const std::size_t rays = from.size() * to.size();
     std::size_t stride = rays * 5 / 8 + 1;
     while (common_divisor(stride, rays) != 1) ++stride;
+    constexpr std::size_t early = 2; // rays that decide a pair if they agree
     std::size_t free = 0, ray = 0;
     Disk_tree::Hint occluder = Disk_tree::no_hint; // it often hides the next points too
     const std::size_t most = m_most > 0 ? (std::min)(m_most, rays) : rays;
     for (std::size_t i = 0; i < most; ++i, ray = (ray + stride) % rays)
     {
       free += m_sight.sees(from[ray % from.size()], to[ray / from.size()], occluder) ? 1 : 0;
-      if (i + 1 == m_early && (free == 0 || free == m_early)) return free == 0 ? 0.f : 1.f;
+      if (i + 1 == early && m_most > 0 && (free == 0 || free == early))
+        return free == 0 ? 0.f : 1.f;
     }
     return static_cast<float>(free) / static_cast<float>(most);
   }
@@ -104,7 +106,7 @@ private:
   }
 
   const Line_of_sight_query& m_sight;
-  std::size_t m_early, m_most;
+  std::size_t m_most;
   bool m_parallel;
   std::vector<std::vector<Index>> m_samples;
   std::unordered_map<std::uint64_t, float> m_known;
