@@ -158,8 +158,7 @@ BOOST_AUTO_TEST_CASE(the_merge_tree_has_the_segments_that_are_agreed_on)
       const Merge_tree& tree = result.merge_tree;
       BOOST_CHECK_EQUAL(tree.merges().size() + 1, tree.number_of_patches());
       BOOST_CHECK_LE(tree.number_of_fusions(), tree.number_of_accepted_merges());
-      BOOST_CHECK(tree.labels_at_cost(fitted ? parameters.fitted_merging_threshold
-                                             : parameters.merging_threshold) ==
+      BOOST_CHECK(tree.labels_at_cost(parameters.merging_threshold) ==
                   tree.labels_after(tree.number_of_accepted_merges()));
       BOOST_CHECK_EQUAL(result.number_of_segments(),
                         tree.number_of_patches() - tree.number_of_accepted_merges());

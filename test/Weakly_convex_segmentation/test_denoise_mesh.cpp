@@ -26,12 +26,10 @@ using namespace CGAL::Weakly_convex_segmentation;
 using namespace CGAL::Weakly_convex_segmentation::internal;
 using namespace Shapes_for_tests;
 
-float tolerance() { return radians(Parameters().mesh_noise_tolerance); }
-
 Raw_shape smoothed(const Raw_shape& raw)
 {
   Raw_shape result;
-  BOOST_REQUIRE(denoise_mesh(raw, tolerance(), {}, result));
+  BOOST_REQUIRE(denoise_mesh(raw, {}, result));
   return result;
 }
 
@@ -67,8 +65,8 @@ BOOST_AUTO_TEST_CASE(meshes_without_noise_are_left_as_they_are)
     {
       const Raw_shape raw = faces_of_mesh(Shape_generator::make_mesh(name, 6000));
       Raw_shape result;
-      BOOST_CHECK_LT(face_roughness(raw), 0.7f * tolerance());
-      BOOST_CHECK(!denoise_mesh(raw, tolerance(), {}, result));
+      BOOST_CHECK_LT(face_roughness(raw), 0.7 * mesh_noise_tolerance);
+      BOOST_CHECK(!denoise_mesh(raw, {}, result));
       BOOST_CHECK(result.positions.empty());
     }
   }
@@ -79,8 +77,8 @@ BOOST_AUTO_TEST_CASE(points_have_no_faces_to_smooth)
   const Raw_shape raw =
       points_of_mesh(shaken(Shape_generator::make_mesh("dumbbell", 3000), 0.05, 1));
   Raw_shape result;
-  BOOST_CHECK_GT(face_roughness(raw), tolerance());
-  BOOST_CHECK(!denoise_mesh(raw, tolerance(), {}, result));
+  BOOST_CHECK_GT(face_roughness(raw), mesh_noise_tolerance);
+  BOOST_CHECK(!denoise_mesh(raw, {}, result));
 }
 
 BOOST_AUTO_TEST_CASE(noise_goes_and_the_shape_stays)
@@ -95,7 +93,7 @@ BOOST_AUTO_TEST_CASE(noise_goes_and_the_shape_stays)
       const Raw_shape smooth = smoothed(rough);
       BOOST_CHECK_GT(turned(rough, clean), 15.);
       BOOST_CHECK_LT(turned(smooth, clean), 0.5 * turned(rough, clean));
-      BOOST_CHECK_LT(face_roughness(smooth), tolerance());
+      BOOST_CHECK_LT(face_roughness(smooth), mesh_noise_tolerance);
       BOOST_CHECK_CLOSE(volume(smooth), volume(clean), 9.);
       BOOST_CHECK(smooth.links == rough.links);
       BOOST_CHECK(smooth.first_corner == rough.first_corner);
@@ -132,7 +130,7 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused_by_their_face)
   std::size_t first = 0;
   while (!std::isnan(raw.positions[first][1])) ++first;
   Raw_shape result;
-  BOOST_CHECK_EXCEPTION(denoise_mesh(raw, tolerance(), {}, result), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(denoise_mesh(raw, {}, result), std::invalid_argument,
                         [first](const std::exception& error)
                         {
                           const std::string element = "element " + std::to_string(first) + " ";
@@ -152,8 +150,7 @@ BOOST_AUTO_TEST_CASE(parts_under_much_noise_are_those_of_the_shape)
       const auto error = [&](const Raw_shape& raw)
       { return rand_distance(segment_points(raw, parameters, {}).labels, mesh.labels); };
       BOOST_CHECK_LT(error(rough), error(faces_of_mesh(mesh)) + 0.06);
-      parameters.mesh_noise_tolerance = 180.;
-      parameters.noise_tolerance = 180.;
+      parameters.denoise = false;
       BOOST_CHECK_GT(error(rough), 0.15);
     }
   }

@@ -37,8 +37,7 @@ struct Surface
   explicit Surface(const Raw_shape& raw)
     : points(orient_points(raw)), graph(build_neighbor_graph(points, 10, false))
   {}
-  std::size_t smooth() { return denoise_points(tolerance(), graph, points); }
-  static float tolerance() { return radians(Parameters().noise_tolerance); }
+  std::size_t smooth() { return denoise_points(graph, points); }
 };
 
 /// `positions` and `normals`: largest change of a coordinate
@@ -77,7 +76,7 @@ BOOST_AUTO_TEST_CASE(shapes_without_noise_are_left_as_they_are)
     {
       Surface surface(points_of_mesh(Shape_generator::make_mesh(name, 6000)));
       const auto before = surface.points.positions;
-      BOOST_CHECK_LT(roughness(surface.graph), 0.7f * Surface::tolerance());
+      BOOST_CHECK_LT(roughness(surface.graph), 0.7f * noise_tolerance);
       BOOST_CHECK_EQUAL(surface.smooth(), 0u);
       for (std::size_t i = 0; i < before.size(); ++i)
         BOOST_REQUIRE_EQUAL(length(before[i] - surface.points.positions[i]), 0.f);
@@ -97,7 +96,7 @@ BOOST_AUTO_TEST_CASE(a_rough_sphere_becomes_a_smooth_one)
   const auto [turn_after, away_after] = errors_on_sphere(surface.points, radius);
   BOOST_CHECK_LT(turn_after, 0.4 * turn);
   BOOST_CHECK_LT(away_after, 0.7 * away);
-  BOOST_CHECK_LT(roughness(surface.graph), Surface::tolerance());
+  BOOST_CHECK_LT(roughness(surface.graph), noise_tolerance);
   for (Index i = 0; i < surface.points.size(); ++i) // the graph tells of the smoothed points
     for (const Neighbor& edge : surface.graph[i])
     {
@@ -112,7 +111,7 @@ BOOST_AUTO_TEST_CASE(noise_shows_in_positions_where_it_spares_the_normals)
   Raw_shape raw;
   add_sphere(raw, {0., 0., 0.}, 1., 4000);
   Surface clean(raw);
-  BOOST_CHECK_LT(normal_position_mismatch(clean.graph, clean.points), 0.1f * Surface::tolerance());
+  BOOST_CHECK_LT(normal_position_mismatch(clean.graph, clean.points), 0.1f * noise_tolerance);
   {
     // little noise leaves the normals as they are
     Surface surface(with_noise(raw, 0.018, 0., 4));
@@ -124,13 +123,11 @@ BOOST_AUTO_TEST_CASE(noise_shows_in_positions_where_it_spares_the_normals)
   Surface surface(with_noise(raw, 0.03, 0., 3));
   const float radius = static_cast<float>(1. / surface.points.extent);
   const double away = errors_on_sphere(surface.points, radius).second;
-  BOOST_CHECK_LT(roughness(surface.graph), Surface::tolerance());
-  BOOST_CHECK_GT(normal_position_mismatch(surface.graph, surface.points),
-                 4.f * Surface::tolerance());
+  BOOST_CHECK_LT(roughness(surface.graph), noise_tolerance);
+  BOOST_CHECK_GT(normal_position_mismatch(surface.graph, surface.points), 4.f * noise_tolerance);
   BOOST_CHECK_GT(surface.smooth(), 0u);
   BOOST_CHECK_LT(errors_on_sphere(surface.points, radius).second, 0.6 * away);
-  BOOST_CHECK_LT(normal_position_mismatch(surface.graph, surface.points),
-                 2.f * Surface::tolerance());
+  BOOST_CHECK_LT(normal_position_mismatch(surface.graph, surface.points), 2.f * noise_tolerance);
 }
 
 BOOST_AUTO_TEST_CASE(crumpled_points_are_thinned_to_two_sides)
@@ -204,7 +201,7 @@ BOOST_AUTO_TEST_CASE(parts_of_a_rough_mesh_are_those_of_the_smooth_one)
       Parameters parameters;
       const auto wanted = segment_points(smooth, parameters, {}).labels;
       BOOST_CHECK_LT(rand_distance(segment_points(rough, parameters, {}).labels, wanted), 0.06);
-      parameters.noise_tolerance = 180.;
+      parameters.denoise = false;
       BOOST_CHECK_GT(rand_distance(segment_points(rough, parameters, {}).labels, wanted), 0.2);
     }
   }

@@ -349,34 +349,20 @@ BOOST_AUTO_TEST_CASE(extreme_parameters)
   for (int trial = 0; trial < 40; ++trial)
   {
     Parameters p = presets[random() % 3];
-    p.align_principal_axes = random() % 2 == 0;
     p.number_of_neighbors = count({3, 4, 10, 100});
     p.number_of_representatives = count({100, 500, 1e9});
     p.number_of_patches = count({1, 2, 50, 400});
     p.number_of_supervoxels = count({1, 2, 100, 20000});
     p.spectral_dimensions = pick({0.01, 0.5, 1.});
     p.patch_concavity_tolerance = pick({0., 5., 180.});
-    p.concave_edge_weight = pick({0., 0.001, 1.});
-    p.minimum_patch_size = count({0, 5, 1e9});
-    p.samples_per_patch = count({1, 10, 30});
-    p.disk_radius_factor = pick({1e-6, 1., 10.});
-    p.clearance_factor = pick({0., 2., 100.});
-    p.outside_tolerance = pick({0., 45., 90.});
-    p.rays_for_early_decision = count({0, 1, 10});
     p.maximum_rays_per_pair = count({0, 1, 25});
-    p.histogram_bins = count({2, 64});
     p.diameter_cone_angle = pick({1e-3, 60., 179.});
-    p.diameter_samples = count({1, 1000});
-    p.diameter_rays = count({1, 16});
     p.merging_cost.larger_closure_weight = pick({0., 0.5, 1e6});
     p.merging_cost.seam_extent_weight = pick({0., 0.4, 1e6});
     p.fusion_threshold = pick({0., 1., 1e6});
     p.minimum_segment_share = pick({0., 0.01, 1.});
     p.maximum_number_of_segments = count({0, 1, 4});
     p.band_width = pick({0., 1e-6, 0.015, 1.});
-    p.data_exponent = pick({0., 1.5, 100.});
-    p.data_weight = pick({0., 1., 1e6});
-    p.smoothness_angle = pick({1e-3, 10., 180.});
     const Result result = WCS::internal::segment_points(raw, p, {});
     check_result(result, raw.positions.size());
     if (p.maximum_number_of_segments > 0)

@@ -309,14 +309,13 @@ BOOST_AUTO_TEST_CASE(a_flat_component_joins_an_adequate_neighbor)
   const auto neighbor = [](const std::vector<double>& to_1, const std::vector<double>& to_2,
                            const double visibility = 0.4)
   {
-    Parameters parameters = Parameters::paper();
-    parameters.flat_visibility = visibility;
+    const Parameters parameters = Parameters::paper();
     std::vector<std::tuple<Index, Index, double>> edges;
     for (Index i = 0; i < to_1.size(); ++i) edges.push_back({i, 6 + i, to_1[i]});
     for (Index i = 0; i < to_2.size(); ++i) edges.push_back({i, 12 + i, to_2[i]});
     Shape shape({6, 6, 6}, edges, parameters);
     Region_graph graph = shape.regions();
-    return neighbor_of_flat_component(graph, 0, parameters);
+    return neighbor_of_flat_component(graph, 0, visibility);
   };
   BOOST_CHECK_EQUAL(neighbor({-5., -5., -5., -5., 20.}, {-5., -5., 0.}),
                     2);                                        // strictly convex first

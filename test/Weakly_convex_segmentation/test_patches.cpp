@@ -327,7 +327,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_patches_follows_the_parameter_whatever_the_se
       BOOST_CHECK_GE(patches.size(), 2 * wanted / 3);
       BOOST_CHECK_LE(patches.size(), 3 * wanted / 2);
       for (const auto& members : patches.members)
-        BOOST_REQUIRE_GE(members.size(), parameters.minimum_patch_size);
+        BOOST_REQUIRE_GE(members.size(), minimum_patch_size);
       BOOST_CHECK(patches.of_point ==
                   extract_patches(shape.points, shape.graph, parameters).of_point);
     }

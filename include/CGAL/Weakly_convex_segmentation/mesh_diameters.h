@@ -18,6 +18,7 @@
 #include <CGAL/mesh_segmentation.h>
 #include <CGAL/property_map.h>
 
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -70,8 +71,9 @@ std::vector<double> mesh_diameters(const TriangleMesh& mesh, const Parameters& p
   const auto traits = choose_parameter(get_parameter(np, CGAL::internal_np::geom_traits),
                                        typename CGAL::Kernel_traits<Point>::Kernel());
   const auto values = get(CGAL::dynamic_face_property_t<double>(), mesh);
-  CGAL::sdf_values(mesh, values, parameters.diameter_cone_angle * (CGAL_PI / 180.),
-                   internal::diameter_rays, false, points, traits);
+  constexpr std::size_t rays = 10; // a face, as many as our own diameters are measured with
+  CGAL::sdf_values(mesh, values, parameters.diameter_cone_angle * (CGAL_PI / 180.), rays, false,
+                   points, traits);
   for (const auto f : faces(mesh)) diameters.push_back(get(values, f));
   return diameters;
 }

@@ -128,9 +128,7 @@ inline bool run(const std::uint8_t* data, const std::size_t size)
                                : (kind & 16u) != 0 ? WCS::Parameters::fitted()
                                                    : WCS::Parameters();
   parameters.number_of_patches = 10; // small shapes, many of them
-  parameters.minimum_face_samples = 100;
   parameters.number_of_representatives = 300;
-  parameters.diameter_samples = 50;
   try
   {
     if ((kind & 1u) != 0)

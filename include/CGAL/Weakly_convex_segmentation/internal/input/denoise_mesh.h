@@ -30,6 +30,9 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// the roughness, in radians, above which a mesh is smoothed
+constexpr double mesh_noise_tolerance = radians(4.6);
+
 /// returns how far noise turns the normals of faces that share an edge, in radians: the median over at
 /// most 20,000 or so of the faces of twice the smaller one of the mean convex and the mean concave angle.
 inline double face_roughness(const Raw_shape& raw)
@@ -200,11 +203,10 @@ inline Raw_shape with_positions(const Raw_shape& raw, const Mesh_vertices& verti
 /// linear in the faces but for the sort of their corners.
 inline bool denoise_mesh(const Raw_shape& raw, const Run_control& control, Raw_shape& result)
 {
-  constexpr double tolerance = radians(4.6); // where the median face is rougher, noise did it
   constexpr double roughness_per_round = radians(2.4);
   if (raw.first_corner.size() != raw.positions.size() + 1) return false;
   const double rough = face_roughness(raw);
-  if (!(rough > tolerance)) return false;
+  if (!(rough > mesh_noise_tolerance)) return false;
   check_finite(raw.positions, "position", control.parallel); // NaN has no place in an order
   Mesh_vertices vertices;
   weld_corners(raw.corners, control.parallel, vertices);

@@ -166,9 +166,9 @@ inline void merge_similar_components(Region_graph& graph, const Component_signat
 ///
 /// First the longest seam that is strictly convex, then the highest ratio of convex to concave seam
 /// edges, if it is at least 1 and the two see each other well enough.
-inline int neighbor_of_flat_component(Region_graph& graph, const int flat)
+inline int neighbor_of_flat_component(Region_graph& graph, const int flat,
+                                      const double flat_visibility = 0.4)
 {
-  constexpr double flat_visibility = 0.4;
   std::vector<std::pair<double, int>> by_length, by_ratio;
   for (const auto& [other, seam] : graph.seams(flat))
   {

@@ -26,6 +26,9 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// the roughness, in radians, above which the points of a shape are smoothed
+constexpr float noise_tolerance = radians(2.5);
+
 /// returns the value that a quarter is below, 0 for none.
 inline float lower_quartile(std::vector<float> values)
 {
@@ -109,16 +112,15 @@ inline void smooth_once(const Neighbor_graph& graph, const float other_side,
 /// Returns how often. Complexity: linear.
 inline std::size_t denoise_points(Neighbor_graph& graph, Oriented_points& points)
 {
-  constexpr float tolerance = radians(2.5);
   constexpr std::size_t most = 12;
   constexpr float crumpled = radians(18.); // such normals tell nothing about sides
   constexpr float right_angle = 0.1f;      // of walls at one, about, rounding must not decide
   for (std::size_t rounds = 0; rounds < most; ++rounds)
   {
     const float rough = roughness(graph), contradictory = normal_position_mismatch(graph, points);
-    if (rough <= tolerance && contradictory <= 2.f * tolerance) return rounds;
+    if (rough <= noise_tolerance && contradictory <= 2.f * noise_tolerance) return rounds;
     smooth_once(graph, rough > crumpled ? -2.f : right_angle,
-                rough <= tolerance && contradictory <= 4.f * tolerance, points);
+                rough <= noise_tolerance && contradictory <= 4.f * noise_tolerance, points);
     for (Index i = 0; i < graph.size(); ++i)
       for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
       {
