@@ -119,7 +119,7 @@ struct Laid_regions
 
   double cost(const int a, const int b, const Merging_cost& weights)
   {
-    return Region_cost(*regions, patches, samples, scale, parameters)(a, b, weights, no_limit);
+    return Region_cost(*regions, patches, samples, scale)(a, b, weights, no_limit);
   }
 };
 
@@ -239,8 +239,7 @@ BOOST_AUTO_TEST_CASE(no_cost_above_the_threshold)
   Laid_regions shape = straight_tube(3., 3., 0.7);
   const Merging_cost weights = Parameters().merging_cost;
   const double cost = shape.cost(0, 1, weights);
-  const Region_cost bounded(*shape.regions, shape.patches, shape.samples, shape.scale,
-                            shape.parameters);
+  const Region_cost bounded(*shape.regions, shape.patches, shape.samples, shape.scale);
   BOOST_CHECK_EQUAL(bounded(0, 1, weights, cost + 1e-9), cost);
   BOOST_CHECK_EQUAL(bounded(0, 1, weights, cost - 1e-9), std::numeric_limits<double>::infinity());
 }

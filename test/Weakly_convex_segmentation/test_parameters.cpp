@@ -225,8 +225,11 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused_by_name)
     BOOST_TEST_CONTEXT(knob.name)
     {
       if (knob.name == "seed" || (knob.high == 1. && knob.is_whole)) continue; // any value
-      BOOST_CHECK_EQUAL(refusal(knob.name, knob.low), "");
-      if (knob.name != "merging") BOOST_CHECK_EQUAL(refusal(knob.name, knob.high), "");
+      if (knob.name != "merging") // which the usual threshold does not suit
+      {
+        BOOST_CHECK_EQUAL(refusal(knob.name, knob.low), "");
+        BOOST_CHECK_EQUAL(refusal(knob.name, knob.high), "");
+      }
       const std::string full_name =
           "Parameters::" + knob.name.substr(0, knob.name.find('[')) + " is ";
       const double step = knob.is_whole ? 1. : 1e-3 * knob.high;

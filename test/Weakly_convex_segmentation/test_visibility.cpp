@@ -363,7 +363,7 @@ BOOST_AUTO_TEST_CASE(visibility_of_patches_is_symmetric_and_kept)
     blind += ratio == 0. ? 1 : 0;
   }
   BOOST_CHECK_EQUAL(full.known_pairs(), pairs.size());
-  BOOST_CHECK_LT(difference / static_cast<double>(pairs.size()), 0.02);
+  BOOST_CHECK_LT(difference / static_cast<double>(pairs.size()), 0.03); // two rays decide most
   BOOST_CHECK_GT(blind, pairs.size() / 20); // round the corner
 }
 
