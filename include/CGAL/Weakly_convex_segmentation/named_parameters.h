@@ -31,7 +31,7 @@ struct Name
 #define CGAL_add_named_parameter(X, Y, Z)                                                          \
   struct X : Name                                                                                  \
   {};
-#include <CGAL/Weakly_convex_segmentation/internal/input/parameters_interface.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 } // namespace names
@@ -68,7 +68,7 @@ public:
   {                                                                                                \
     return this->template with<names::X>(value);                                                   \
   }
-#include <CGAL/Weakly_convex_segmentation/internal/input/parameters_interface.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
   // clang-format off
@@ -124,7 +124,7 @@ namespace parameters {
     return Weakly_convex_segmentation::Named_parameters<V, Weakly_convex_segmentation::names::X>(  \
         value);                                                                                    \
   }
-#include <CGAL/Weakly_convex_segmentation/internal/input/parameters_interface.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 } // namespace parameters
