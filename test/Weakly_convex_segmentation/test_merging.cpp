@@ -75,8 +75,8 @@ struct Shape
     graph.spacing.assign(points.size(), 1e-4f);
     for (const auto& row : rows)
     {
-      for (const auto& [j, concavity] : row) graph.neighbors.push_back({j, 1.f, concavity});
-      graph.first.push_back(graph.neighbors.size());
+      for (const auto& [j, concavity] : row) graph.entries.push_back({j, 1.f, concavity});
+      graph.end_row();
     }
     look();
   }

@@ -62,8 +62,8 @@ Neighbor_graph flat_graph(const std::size_t size, const std::vector<std::pair<In
   graph.spacing.assign(size, 1.f);
   for (const auto& row : rows)
   {
-    for (const Index j : row) graph.neighbors.push_back({j, 1.f, 0.f});
-    graph.first.push_back(graph.neighbors.size());
+    for (const Index j : row) graph.entries.push_back({j, 1.f, 0.f});
+    graph.end_row();
   }
   return graph;
 }

@@ -119,7 +119,7 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
                   shape->is_smoothed =
                       denoise_points(radians(parameters.noise_tolerance), shape->graph,
                                      shape->representatives.points) > 0;
-                  return shape->graph.neighbors.size() / 2;
+                  return shape->graph.entries.size() / 2;
                 });
   control.stage(Stage::PATCHES,
                 [&]

@@ -34,12 +34,11 @@ namespace internal {
 inline Cost_graph edge_lengths(const Graph_matrix& adjacency)
 {
   Cost_graph lengths;
-  lengths.first.push_back(0);
   for (int i = 0; i < adjacency.outerSize(); ++i)
   {
     for (Graph_matrix::InnerIterator e(adjacency, i); e; ++e)
-      lengths.edges.push_back({static_cast<Index>(e.row()), 1.f / e.value()});
-    lengths.first.push_back(lengths.edges.size());
+      lengths.entries.push_back({static_cast<Index>(e.row()), 1.f / e.value()});
+    lengths.end_row();
   }
   return lengths;
 }
@@ -88,8 +87,7 @@ inline void move_to_nearest_means(const Cost_graph& graph, const Embedding& rows
         next[i] = c;
       };
       ask(cluster[i]);
-      for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
-        ask(cluster[graph.edges[e].point]);
+      for (const Cost_edge& edge : graph[i]) ask(cluster[edge.point]);
     }
     if (next == cluster) break;
     cluster.swap(next);

@@ -120,9 +120,8 @@ inline std::size_t denoise_points(const float tolerance, Neighbor_graph& graph,
     smooth_once(graph, rough > crumpled ? -2.f : right_angle,
                 rough <= tolerance && contradictory <= 4.f * tolerance, points);
     for (Index i = 0; i < graph.size(); ++i)
-      for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
+      for (Neighbor& edge : graph[i])
       {
-        Neighbor& edge = graph.neighbors[e];
         edge.length = length(points.positions[edge.point] - points.positions[i]);
         edge.concavity = signed_concavity(points, i, edge.point);
       }

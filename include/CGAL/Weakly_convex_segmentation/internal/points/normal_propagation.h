@@ -9,6 +9,7 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NORMAL_PROPAGATION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NORMAL_PROPAGATION_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
@@ -18,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -28,51 +28,6 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// Disjoint sets of points, and for each point whether its normal is to be turned relative to that of
-/// the first of its set.
-class Parity_disjoint_sets
-{
-  std::vector<Index> m_parent;
-  std::vector<unsigned char> m_is_turned; ///< relative to the parent
-
-public:
-  struct Place
-  {
-    Index set;
-    unsigned char is_turned;
-  };
-
-  explicit Parity_disjoint_sets(const std::size_t n) : m_parent(n), m_is_turned(n, 0)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), Index(0));
-  }
-
-  Place find(Index i)
-  {
-    unsigned char is_turned = 0;
-    while (m_parent[i] != i)
-    {
-      const Index up = m_parent[i];
-      m_is_turned[i] ^= m_is_turned[up]; // of the first of a set it is 0
-      m_parent[i] = m_parent[up];
-      is_turned ^= m_is_turned[i];
-      i = m_parent[i];
-    }
-    return {i, is_turned};
-  }
-
-  /// makes one set of two if `i` and `j` are in different ones.
-  void join(const Index i, const Index j, const bool turn)
-  {
-    const Place a = find(i), b = find(j);
-    if (a.set == b.set) return;
-    // the smaller index comes first: then the outcome is the same however the sets grew
-    const Index first = (std::min)(a.set, b.set), second = (std::max)(a.set, b.set);
-    m_parent[second] = first;
-    m_is_turned[second] = a.is_turned ^ b.is_turned ^ static_cast<unsigned char>(turn);
-  }
-};
 
 /// Points, the mean square of the distances from the plane through each and its neighbors, and these.
 struct Unoriented_points

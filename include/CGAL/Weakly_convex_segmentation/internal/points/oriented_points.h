@@ -134,7 +134,7 @@ inline std::vector<Index> spatial_order(const Raw_shape& raw, const Frame& frame
 /// The sphere about the centroid that holds all points, within a bounding cube.
 struct Bounding_ball
 {
-  std::array<double, 3> center = {0., 0., 0.};
+  Coordinates center = {0., 0., 0.};
   double radius = 0.;
 };
 
@@ -217,7 +217,7 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
   control.check();
 
   const Bounding_ball ball = bounding_ball(raw.positions, frame, order, cube, parallel);
-  std::array<double, 3> centroid = ball.center;
+  Coordinates centroid = ball.center;
   for (double& c : centroid) c *= cube.unit();
   points.extent = ball.radius > 0. ? 2. * ball.radius * cube.unit() : 1.;
 
