@@ -9,13 +9,13 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_NAMED_PARAMETERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_NAMED_PARAMETERS_H
 
-#include <CGAL/Named_function_parameters.h>
-
-#include <type_traits>
-
 // CGAL's class of named parameters has a member for each of CGAL's names, and can't be given others from
 // outside. So there is a class of our own, with our names and those of CGAL's that we read. Our names are
 // listed in CGAL's way, so that the list can be added to CGAL's, and this class be removed, within CGAL.
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,18 +9,6 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_ALPHA_EXPANSION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_ALPHA_EXPANSION_H
 
-#include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/internal/borders/band.h>
-#include <CGAL/Weakly_convex_segmentation/internal/borders/max_flow.h>
-#include <CGAL/Weakly_convex_segmentation/internal/kernel/Search_front.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
 // Border refinement as the paper has it (section 5, equations 3-5): alpha expansion over the labels of
 // all segments, in a narrow band.
 //
@@ -33,6 +21,18 @@
 // makes the move of the first label only (MaxFlow::Graph::clear() keeps the flow, so that none of the others
 // seems to be an improvement; test_cgal_faults). Its Boost tags find the same labels, but take four to twenty
 // times as long on grids of 900 and 3600 vertices with 6 labels.
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/band.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/max_flow.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Search_front.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

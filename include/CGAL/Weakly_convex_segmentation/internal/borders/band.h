@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_BAND_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_BAND_H
 
+// The narrow band along the borders in which they may move (section 5).
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Search_front.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
@@ -16,8 +18,6 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
-
-// The narrow band along the borders in which they may move (section 5).
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_FACE_SAMPLING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_FACE_SAMPLING_H
 
+// The method works on points that lie about equally dense. One point a face (section 6) does that for
+// fine meshes only: a large or long face is cut in thought, and gets a point for each piece.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
@@ -22,9 +25,6 @@
 #include <optional>
 #include <utility>
 #include <vector>
-
-// The method works on points that lie about equally dense. One point a face (section 6) does that for
-// fine meshes only: a large or long face is cut in thought, and gets a point for each piece.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -164,8 +164,8 @@ private:
 
 /// returns the point of `[first, last)` that is nearest to `p`, and its squared distance.
 template <typename Iterator>
-std::pair<Index, double> nearest_of(const std::vector<Coordinates>& positions,
-                                    const Index p, const Iterator first, const Iterator last)
+std::pair<Index, double> nearest_of(const std::vector<Coordinates>& positions, const Index p,
+                                    const Iterator first, const Iterator last)
 {
   std::pair<Index, double> nearest = {*first, std::numeric_limits<double>::infinity()};
   for (Iterator q = first; q != last; ++q)

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_SOUP_ORIENTATION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_SOUP_ORIENTATION_H
 
+// The polygons of a soup may be turned over one by one, or whole pieces inside out. For the run they
+// are turned: consistently within each piece, and closed pieces that are inside out to the outside.
+
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
@@ -19,9 +22,6 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-// The polygons of a soup may be turned over one by one, or whole pieces inside out. For the run they
-// are turned: consistently within each piece, and closed pieces that are inside out to the outside.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,15 +9,15 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_GRAPH_VORONOI_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_GRAPH_VORONOI_H
 
+// Voronoi cells along the edges of a graph: of the points (supervoxels), and of the supervoxels (what
+// their clustering begins with).
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Search_front.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 
 #include <limits>
 #include <vector>
-
-// Voronoi cells along the edges of a graph: of the points (supervoxels), and of the supervoxels (what
-// their clustering begins with).
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

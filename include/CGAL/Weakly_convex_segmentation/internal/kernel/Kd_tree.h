@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_KD_TREE_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_KD_TREE_H
 
+// Nearest neighbors by a k-d tree of our own: single precision, points in leaves of two times four, so
+// that four distances are computed at once. CGAL's k-d tree takes longer for the same neighbors.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Float4.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/float_bits.h>
@@ -19,9 +22,6 @@
 #include <cstdint>
 #include <utility>
 #include <vector>
-
-// Nearest neighbors by a k-d tree of our own: single precision, points in leaves of two times four, so
-// that four distances are computed at once. CGAL's k-d tree takes longer for the same neighbors.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -50,7 +50,8 @@ public:
       const Index i = static_cast<Index>(nearest);
       m_points.pop();
       const float distance = distance_of(i);
-      if (nearest == distance_and_point(distance, i)) leave(i, distance); // else it was left from nearer
+      if (nearest == distance_and_point(distance, i))
+        leave(i, distance); // else it was left from nearer
     }
   }
 

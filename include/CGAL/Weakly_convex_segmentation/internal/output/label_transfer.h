@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_OUTPUT_LABEL_TRANSFER_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_OUTPUT_LABEL_TRANSFER_H
 
+// From the representatives back to the points and to the elements of the input.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
@@ -20,8 +22,6 @@
 #include <numeric>
 #include <utility>
 #include <vector>
-
-// From the representatives back to the points and to the elements of the input.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,6 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_PATCHES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_PATCHES_H
 
+// Initial patches (section 4): spectral clustering of the point-convexity graph.
+//
+// The paper clusters the points; we cluster a bounded number of supervoxels and carry the labels to
+// the points, so that the eigenproblem does not grow with the shape. The paper is silent on the
+// number of patches and on what becomes of patches that are not connected: we split them.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
@@ -27,12 +33,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-// Initial patches (section 4): spectral clustering of the point-convexity graph.
-//
-// The paper clusters the points; we cluster a bounded number of supervoxels and carry the labels to
-// the points, so that the eigenproblem does not grow with the shape. The paper is silent on the
-// number of patches and on what becomes of patches that are not connected: we split them.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -226,7 +226,8 @@ inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const P
     if (best.second < 0) continue;
     joined.join_named(best.second, piece);
     sizes[best.second] += sizes[piece];
-    for (const auto& [other, edges] : contacts[piece]) contacts[best.second][joined.find(other)] += edges;
+    for (const auto& [other, edges] : contacts[piece])
+      contacts[best.second][joined.find(other)] += edges;
   }
   std::vector<int> result;
   result.reserve(pieces.of_point.size());
@@ -279,16 +280,6 @@ inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
       },
       1);
   return sets;
-}
-
-/// over-segments the points into one set of patches.
-inline Patches extract_patches(const Oriented_points& points, const Neighbor_graph& graph,
-                               Parameters parameters)
-{
-  parameters.number_of_patch_sets = 1;
-  return std::move(extract_patch_sets(points, graph, parameters, false,
-                                      Spectral_patch_clustering(parameters.spectral_dimensions))
-                       .front());
 }
 
 } // namespace internal

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SUPERVOXELS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SUPERVOXELS_H
 
+// Graph-Voronoi cells of well spread seeds: the bounded number of nodes that stand for the points in
+// the spectral clustering of the patches.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Graph_voronoi.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/downsampling.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
@@ -21,9 +24,6 @@
 #include <unordered_set>
 #include <utility>
 #include <vector>
-
-// Graph-Voronoi cells of well spread seeds: the bounded number of nodes that stand for the points in
-// the spectral clustering of the patches.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NEIGHBOR_GRAPH_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NEIGHBOR_GRAPH_H
 
+// The k-nearest-neighbor graph G_K (sections 4 and 5), built once and used by every stage.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Kd_tree.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
@@ -23,8 +25,6 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-// The k-nearest-neighbor graph G_K (sections 4 and 5), built once and used by every stage.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -44,14 +44,11 @@ struct Neighbor_graph : Compressed_rows<Neighbor>
   std::vector<float> spacing; ///< mean distance of a point to its k nearest neighbors
 };
 
-/// returns the angle between the normals, negative if the edge is convex: concave iff
-/// (n_j - n_i) . (p_j - p_i) < 0, that is iff the normals lean towards each other.
+/// returns the angle between the normals of two points, negative if the edge is convex.
 inline float signed_concavity(const Oriented_points& points, const Index i, const Index j)
 {
-  const Vector3 along = points.positions[j] - points.positions[i];
-  const float turn = dot(points.normals[j] - points.normals[i], along);
-  const float a = angle(points.normals[i], points.normals[j]);
-  return turn < 0.f ? a : -a;
+  return signed_concavity(points.positions[i], points.normals[i], points.positions[j],
+                          points.normals[j]);
 }
 
 /// fills the `k` nearest other points of each point; rows of fewer points end with the point itself.

@@ -9,8 +9,11 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NORMAL_PROPAGATION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NORMAL_PROPAGATION_H
 
-#include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
+// Unoriented normals made consistent along the minimum spanning forest of the nearest neighbors. CGAL's
+// `mst_orient_normals()` takes longer, is right less often, and can't be interrupted: see estimate_normals.h.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
 
@@ -21,9 +24,6 @@
 #include <cstdint>
 #include <utility>
 #include <vector>
-
-// Unoriented normals made consistent along the minimum spanning forest of the nearest neighbors. CGAL's
-// `mst_orient_normals()` takes longer, is right less often, and can't be interrupted: see estimate_normals.h.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -117,7 +117,7 @@ inline std::vector<Index> propagate_orientation(const Unoriented_points& shape, 
   return piece;
 }
 
-/// Tells the inside of a piece from its outside.
+/// Decides which side of a piece is its outside.
 class Piece_outside
 {
   /// both ways along the edges, diagonals and space diagonals of a cube
@@ -167,7 +167,7 @@ public:
     ++m_size;
   }
 
-  /// returns whether the normals look inwards. What is nearly closed has a volume that tells; else it
+  /// returns whether the normals look inwards. What is nearly closed has a volume whose sign decides; else it
   /// is asked how steeply they look away from the extreme points. What is flat should look upwards.
   bool is_inside_out(const Oriented_points& points) const
   {

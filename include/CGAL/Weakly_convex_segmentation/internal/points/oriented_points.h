@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_ORIENTED_POINTS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_ORIENTED_POINTS_H
 
+// Input of the method (section 3): an oriented point cloud, or a triangle mesh as one oriented point
+// a face (section 6).
+
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
@@ -26,9 +29,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-// Input of the method (section 3): an oriented point cloud, or a triangle mesh as one oriented point
-// a face (section 6).
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
