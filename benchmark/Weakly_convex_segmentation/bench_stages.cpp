@@ -65,8 +65,11 @@ void neighbors(benchmark::State& state)
 void patches(benchmark::State& state)
 {
   const Shape_analysis& shape = analyzed(size_of(state));
+  WCS::Parameters parameters;
+  parameters.number_of_patch_sets = 1;
   for (auto _ : state)
-    benchmark::DoNotOptimize(extract_patches(shape.points(), shape.graph, WCS::Parameters()));
+    benchmark::DoNotOptimize(extract_patch_sets(shape.points(), shape.graph, parameters, false,
+                                                WCS::Spectral_patch_clustering()));
 }
 
 void disks(benchmark::State& state)
@@ -94,7 +97,7 @@ void visibility(benchmark::State& state)
   {
     Patch_visibility lines(*shape.sight, shape.patches(), WCS::Parameters(), false);
     lines.prepare(pairs);
-    benchmark::DoNotOptimize(lines.known_pairs());
+    benchmark::DoNotOptimize(lines(0, 1));
   }
 }
 

@@ -115,12 +115,11 @@ BOOST_AUTO_TEST_CASE(what_nothing_agrees_with_stays)
 Neighbor_graph row(const std::size_t size)
 {
   Neighbor_graph graph;
-  graph.first.push_back(0);
   for (Index i = 0; i < size; ++i)
   {
-    if (i > 0) graph.neighbors.push_back({i - 1, 1.f, 0.f});
-    if (i + 1 < size) graph.neighbors.push_back({i + 1, 1.f, 0.f});
-    graph.first.push_back(graph.neighbors.size());
+    if (i > 0) graph.entries.push_back({i - 1, 1.f, 0.f});
+    if (i + 1 < size) graph.entries.push_back({i + 1, 1.f, 0.f});
+    graph.first.push_back(graph.entries.size());
     graph.spacing.push_back(1.f);
   }
   return graph;

@@ -377,7 +377,7 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_k_nearest)
     }
     BOOST_CHECK_CLOSE(graph.spacing[i], sum / k, 1e-2);
   }
-  BOOST_CHECK_EQUAL(graph.neighbors.size(), expected.size());
+  BOOST_CHECK_EQUAL(graph.entries.size(), expected.size());
   for (const auto& [i, j] : expected) BOOST_REQUIRE(has_edge(graph, i, j));
 }
 
@@ -426,7 +426,7 @@ BOOST_AUTO_TEST_CASE(few_or_equal_points_have_a_graph)
     Oriented_points points = orient_points(random_points(n, 9));
     const Neighbor_graph graph = build_neighbor_graph(points, 10, false);
     BOOST_CHECK_EQUAL(graph.size(), n);
-    BOOST_CHECK_EQUAL(graph.neighbors.size(), n * (n - 1)); // all with all
+    BOOST_CHECK_EQUAL(graph.entries.size(), n * (n - 1)); // all with all
     BOOST_CHECK(is_well_formed(graph));
   }
   Raw_shape raw;
@@ -490,7 +490,7 @@ BOOST_AUTO_TEST_CASE(rings_of_points_are_one_graph)
   const Neighbor_graph usual = build_neighbor_graph(spheres, 10, false);
   const Neighbor_graph linked = build_neighbor_graph(spheres, 10, false, true);
   BOOST_CHECK_EQUAL(pieces(linked), pieces(usual));
-  BOOST_CHECK_LT(linked.neighbors.size(), usual.neighbors.size() * 101 / 100);
+  BOOST_CHECK_LT(linked.entries.size(), usual.entries.size() * 101 / 100);
 }
 
 BOOST_AUTO_TEST_CASE(a_turned_part_in_rings_has_the_parts_of_the_shape)

@@ -6,6 +6,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/merging/paper_merging.h>
 
+#include "patches_for_tests.h"
 #include "shapes_for_tests.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ struct Shape
     const auto mesh = Shape_generator::make_mesh(name, 6000);
     points = orient_points(points_of_mesh(mesh));
     graph = build_neighbor_graph(points, 10, false);
-    patches = extract_patches(points, graph, parameters);
+    patches = one_patch_set(points, graph, parameters);
     for (const Index e : points.elements) truth.push_back(mesh.labels[e]);
     look();
   }
@@ -75,8 +76,8 @@ struct Shape
     graph.spacing.assign(points.size(), 1e-4f);
     for (const auto& row : rows)
     {
-      for (const auto& [j, concavity] : row) graph.neighbors.push_back({j, 1.f, concavity});
-      graph.first.push_back(graph.neighbors.size());
+      for (const auto& [j, concavity] : row) graph.entries.push_back({j, 1.f, concavity});
+      graph.end_row();
     }
     look();
   }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
 
+#include "patches_for_tests.h"
 #include "shapes_for_tests.h"
 
 #include <algorithm>
@@ -62,8 +63,8 @@ Neighbor_graph flat_graph(const std::size_t size, const std::vector<std::pair<In
   graph.spacing.assign(size, 1.f);
   for (const auto& row : rows)
   {
-    for (const Index j : row) graph.neighbors.push_back({j, 1.f, 0.f});
-    graph.first.push_back(graph.neighbors.size());
+    for (const Index j : row) graph.entries.push_back({j, 1.f, 0.f});
+    graph.end_row();
   }
   return graph;
 }
@@ -228,7 +229,7 @@ BOOST_AUTO_TEST_CASE(disconnected_pieces_are_never_in_one_patch)
   for (const std::size_t wanted : {1u, 12u, 80u})
   {
     parameters.number_of_patches = wanted;
-    const Patches patches = extract_patches(shape.points, shape.graph, parameters);
+    const Patches patches = one_patch_set(shape.points, shape.graph, parameters);
     check_partition(shape, patches);
     BOOST_CHECK_EQUAL(crossing_share(patches, shape.truth), 0.);
     BOOST_CHECK_GE(patches.size(), 4u);
@@ -292,7 +293,7 @@ BOOST_AUTO_TEST_CASE(patches_keep_off_concave_borders)
     for (const bool paper : {false, true})
     {
       const Parameters parameters = paper ? Parameters::paper() : Parameters();
-      const Patches patches = extract_patches(shape.points, shape.graph, parameters);
+      const Patches patches = one_patch_set(shape.points, shape.graph, parameters);
       check_partition(shape, patches);
       // the L's true border cuts straight through its flat faces: only the inner edge is concave
       const double most = name == "l_shape" ? 0.06 : 0.02;
@@ -322,14 +323,14 @@ BOOST_AUTO_TEST_CASE(the_number_of_patches_follows_the_parameter_whatever_the_se
     {
       parameters.number_of_patches = wanted;
       parameters.seed = seed;
-      const Patches patches = extract_patches(shape.points, shape.graph, parameters);
+      const Patches patches = one_patch_set(shape.points, shape.graph, parameters);
       check_partition(shape, patches);
       BOOST_CHECK_GE(patches.size(), 2 * wanted / 3);
       BOOST_CHECK_LE(patches.size(), 3 * wanted / 2);
       for (const auto& members : patches.members)
         BOOST_REQUIRE_GE(members.size(), minimum_patch_size);
       BOOST_CHECK(patches.of_point ==
-                  extract_patches(shape.points, shape.graph, parameters).of_point);
+                  one_patch_set(shape.points, shape.graph, parameters).of_point);
     }
 }
 
@@ -342,7 +343,7 @@ BOOST_AUTO_TEST_CASE(thousands_of_pieces_are_all_patches)
   const std::size_t pieces =
       number_of_pieces(shape.graph, std::vector<int>(raw.positions.size(), 0));
   BOOST_REQUIRE_EQUAL(pieces, 2000u);
-  const Patches patches = extract_patches(shape.points, shape.graph, Parameters());
+  const Patches patches = one_patch_set(shape.points, shape.graph, Parameters());
   check_partition(shape, patches);
   BOOST_CHECK_EQUAL(patches.size(), pieces);
 }

@@ -10,9 +10,11 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_LINES_OF_SIGHT_CLUSTERING_H
 
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
-#include <CGAL/Weakly_convex_segmentation/internal/patches/k_means.h>
+#include <CGAL/Weakly_convex_segmentation/internal/patches/spectral_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Patch_visibility.h>
+
+#include "baselines/k_means.h"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

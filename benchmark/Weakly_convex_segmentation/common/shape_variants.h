@@ -88,7 +88,7 @@ inline std::vector<char> seen_faces(const Raw_shape& raw, const int views, std::
         2.f * WCS::internal::normalized({normal(random), normal(random), 0.5f * normal(random)});
     for (std::size_t i = 0; i < points.size(); ++i)
       if (dot(points.normals[i], camera - points.positions[i]) > 0.f &&
-          sight.tree().unoccluded(points.positions[i], camera))
+          sight.is_free(points.positions[i], camera))
         seen[points.elements[i]] = 1;
   }
   return seen;

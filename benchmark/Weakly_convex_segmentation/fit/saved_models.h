@@ -60,7 +60,7 @@ public:
     (*this)(shape.representatives.points);
     (*this)(shape.representatives.of_point);
     (*this)(shape.graph.first);
-    (*this)(shape.graph.neighbors);
+    (*this)(shape.graph.entries);
     (*this)(shape.graph.spacing);
     (*this)(shape.patch_sets.front().patches.of_point);
     (*this)(shape.diameters);

@@ -9,11 +9,11 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_CONVEXITY_GRAPH_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_CONVEXITY_GRAPH_H
 
+// The graph whose clusters are the initial patches.
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-// The graph whose clusters are the initial patches.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

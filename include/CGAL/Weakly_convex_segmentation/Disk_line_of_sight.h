@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_DISK_LINE_OF_SIGHT_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_DISK_LINE_OF_SIGHT_H
 
+// Lines of sight between points as disks (section 3), for points other than those that are segmented.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/check_call.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
@@ -17,10 +19,8 @@
 
 #include <CGAL/tags.h>
 
-#include <cmath>
 #include <memory>
-
-// Lines of sight between points as disks (section 3), for points other than those that are segmented.
+#include <utility>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -63,31 +63,25 @@ public:
     parameters.check();
     internal::Raw_shape raw = internal::read_input<Sequential_tag>(input, plain);
     if (raw.normals.empty()) internal::estimate_normals(raw, {}, parameters.normal_orientation);
-    internal::Oriented_points points = internal::orient_points(raw);
-    const internal::Neighbor_graph graph =
-        internal::build_neighbor_graph(points, parameters.number_of_neighbors, false);
-    m_placement = points.placement;
-    m_extent = points.extent;
-    m_tree =
-        std::make_shared<internal::Disk_tree>(internal::make_disk_tree(points, graph, parameters));
+    m_shape = std::make_shared<const Shape>(internal::orient_points(raw), parameters);
   }
 
   /// returns whether no disk is between two points; near the ends of the line none is. Complexity: O(log n)
   /// on average.
   bool sees(const Point_3& p, const Point_3& q) const
   {
-    return m_tree->unoccluded(inside(p), inside(q));
+    return m_shape->sight.is_free(inside(p), inside(q));
   }
   /// returns how far a ray along a unit vector goes until it meets a disk from behind; infinity if it does
   /// not within the extent of the shape.
   double distance_to_exit(const Point_3& p, const Vector_3& direction) const
   {
-    return m_extent * m_tree->first_exit(inside(p), turned(direction), 1.f).distance;
+    return m_shape->points.extent * m_shape->sight.exit(inside(p), turned(direction)).distance;
   }
   /// returns how far it goes until it meets one from the front; infinity likewise.
   double distance_to_entry(const Point_3& p, const Vector_3& direction) const
   {
-    return m_extent * m_tree->first_entry(inside(p), turned(direction), 1.f).distance;
+    return m_shape->points.extent * m_shape->sight.entry(inside(p), turned(direction)).distance;
   }
 
 private:
@@ -96,12 +90,29 @@ private:
   {
     return {to_double(v.x()), to_double(v.y()), to_double(v.z())};
   }
-  internal::Vector3 inside(const Point_3& p) const { return m_placement.point(coordinates(p)); }
-  internal::Vector3 turned(const Vector_3& v) const { return m_placement.vector(coordinates(v)); }
+  internal::Vector3 inside(const Point_3& p) const
+  {
+    return m_shape->points.placement.point(coordinates(p));
+  }
+  internal::Vector3 turned(const Vector_3& v) const
+  {
+    return m_shape->points.placement.vector(coordinates(v));
+  }
 
-  internal::Placement m_placement;
-  double m_extent;
-  std::shared_ptr<const internal::Disk_tree> m_tree;
+  /// The points, and the disks that are made of them.
+  struct Shape
+  {
+    internal::Oriented_points points;
+    internal::Line_of_sight_query sight;
+
+    Shape(internal::Oriented_points&& p, const Parameters& parameters)
+      : points(std::move(p)),
+        sight(points, internal::build_neighbor_graph(points, parameters.number_of_neighbors, false),
+              parameters)
+    {}
+  };
+
+  std::shared_ptr<const Shape> m_shape;
 };
 
 } // namespace Weakly_convex_segmentation

@@ -9,15 +9,15 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_COST_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_COST_H
 
+// The costs by which patches are fused into components and these merged into segments (sections 4 and 5):
+// models of `WeaklyConvexSegmentationMergeCost`.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Region_pair.h>
 
 #include <functional>
 #include <limits>
 #include <type_traits>
-
-// The costs by which patches are fused into components and these merged into segments (sections 4 and 5):
-// models of `WeaklyConvexSegmentationMergeCost`.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,11 +9,13 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_TREE_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_MERGE_TREE_H
 
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/number_labels.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -113,24 +115,14 @@ private:
 
 inline std::vector<int> Merge_tree::labels_after(const std::size_t number_of_merges) const
 {
-  std::vector<int> parent(m_number_of_patches);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int i)
-  {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  internal::Disjoint_sets<int> regions(m_number_of_patches);
   const std::size_t last = (std::min)(number_of_merges, m_merges.size());
-  for (std::size_t i = 0; i < last; ++i) parent[root(m_merges[i].second)] = root(m_merges[i].first);
-
-  std::vector<int> label_of_root(m_number_of_patches, -1), labels(m_number_of_patches);
-  int next = 0;
-  for (std::size_t i = 0; i < m_number_of_patches; ++i)
-  {
-    int& label = label_of_root[root(static_cast<int>(i))];
-    if (label < 0) label = next++;
-    labels[i] = label;
-  }
+  for (std::size_t i = 0; i < last; ++i) regions.join(m_merges[i].first, m_merges[i].second);
+  std::vector<int> labels;
+  labels.reserve(m_number_of_patches);
+  for (int patch = 0; patch < static_cast<int>(m_number_of_patches); ++patch)
+    labels.push_back(regions.find(patch));
+  internal::number_labels(labels);
   return labels;
 }
 

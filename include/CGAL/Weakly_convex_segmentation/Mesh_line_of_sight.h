@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_MESH_LINE_OF_SIGHT_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_MESH_LINE_OF_SIGHT_H
 
+// Lines of sight between the triangles of a closed mesh, in place of the disks of points.
+
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Kernel_traits.h>
@@ -25,8 +27,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-
-// Lines of sight between the triangles of a closed mesh, in place of the disks of points.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

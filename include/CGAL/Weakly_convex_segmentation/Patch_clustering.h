@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_PATCH_CLUSTERING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_PATCH_CLUSTERING_H
 
+// The clusterings that make the initial patches (section 4): models of
+// `WeaklyConvexSegmentationPatchClustering`.
+
 #include <CGAL/Weakly_convex_segmentation/Convexity_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/spectral_clustering.h>
 
@@ -16,9 +19,6 @@
 #include <cstdint>
 #include <functional>
 #include <vector>
-
-// The clusterings that make the initial patches (section 4): models of
-// `WeaklyConvexSegmentationPatchClustering`.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,14 +9,14 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_REGION_PAIR_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_REGION_PAIR_H
 
+// What a merge cost can ask about two adjacent regions.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Learned_cost.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Region_cost.h>
 
 #include <stdexcept>
 #include <utility>
-
-// What a merge cost can ask about two adjacent regions.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

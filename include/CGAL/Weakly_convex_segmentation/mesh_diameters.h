@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_MESH_DIAMETERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_MESH_DIAMETERS_H
 
+// CGAL's shape diameter function, in place of the diameters of this package.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 
 #include <CGAL/Kernel_traits.h>

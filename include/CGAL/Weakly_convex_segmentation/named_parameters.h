@@ -9,13 +9,13 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_NAMED_PARAMETERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_NAMED_PARAMETERS_H
 
-#include <CGAL/Named_function_parameters.h>
-
-#include <type_traits>
-
 // CGAL's class of named parameters has a member for each of CGAL's names, and can't be given others from
 // outside. So there is a class of our own, with our names and those of CGAL's that we read. Our names are
 // listed in CGAL's way, so that the list can be added to CGAL's, and this class be removed, within CGAL.
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -31,7 +31,7 @@ struct Name
 #define CGAL_add_named_parameter(X, Y, Z)                                                          \
   struct X : Name                                                                                  \
   {};
-#include <CGAL/Weakly_convex_segmentation/internal/input/parameters_interface.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 } // namespace names
@@ -68,7 +68,7 @@ public:
   {                                                                                                \
     return this->template with<names::X>(value);                                                   \
   }
-#include <CGAL/Weakly_convex_segmentation/internal/input/parameters_interface.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
   // clang-format off
@@ -124,7 +124,7 @@ namespace parameters {
     return Weakly_convex_segmentation::Named_parameters<V, Weakly_convex_segmentation::names::X>(  \
         value);                                                                                    \
   }
-#include <CGAL/Weakly_convex_segmentation/internal/input/parameters_interface.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 } // namespace parameters

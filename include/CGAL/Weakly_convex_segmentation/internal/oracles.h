@@ -9,14 +9,14 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORACLES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_ORACLES_H
 
+// The parts of the analysis of a shape that a caller can put in the place of ours.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Line_of_sight_functions.h>
 #include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-
-// The parts of the analysis of a shape that a caller can put in the place of ours.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SHAPE_ANALYSIS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_SHAPE_ANALYSIS_H
 
+// The first half of the pipeline: all that is measured on a shape before any merging, and that does not
+// depend on thresholds.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/shape_diameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/denoise_mesh.h>
@@ -27,9 +30,6 @@
 #include <memory>
 #include <utility>
 #include <vector>
-
-// The first half of the pipeline: all that is measured on a shape before any merging, and that does not
-// depend on thresholds.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -116,7 +116,7 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
                                             parameters.number_of_neighbors, control.parallel, true);
         shape->is_smoothed =
             parameters.denoise && denoise_points(shape->graph, shape->representatives.points) > 0;
-        return shape->graph.neighbors.size() / 2;
+        return shape->graph.entries.size() / 2;
       });
   control.stage(Stage::PATCHES,
                 [&]

@@ -9,19 +9,6 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_ALPHA_EXPANSION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_ALPHA_EXPANSION_H
 
-#include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/internal/borders/band.h>
-#include <CGAL/Weakly_convex_segmentation/internal/borders/max_flow.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
-#include <vector>
-
 // Border refinement as the paper has it (section 5, equations 3-5): alpha expansion over the labels of
 // all segments, in a narrow band.
 //
@@ -34,6 +21,18 @@
 // makes the move of the first label only (MaxFlow::Graph::clear() keeps the flow, so that none of the others
 // seems to be an improvement; test_cgal_faults). Its Boost tags find the same labels, but take four to twenty
 // times as long on grids of 900 and 3600 vertices with 6 labels.
+
+#include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/band.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/max_flow.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Search_front.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -139,29 +138,26 @@ label_distances(const Neighbor_graph& graph, const std::vector<int>& labels,
 
   std::vector<std::vector<std::pair<int, float>>> rows(graph.size());
   std::vector<float> distance(graph.size(), std::numeric_limits<float>::infinity());
-  using Entry = std::pair<float, Index>;
   for (int label = 0; label < number_of_labels; ++label)
   {
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
+    Search_front front;
     std::vector<Index> reached;
-    for (const Index i : border[label]) front.push({0.f, i});
-    for (const Index i : border[label]) distance[i] = 0.f;
-    while (!front.empty())
-    {
-      const auto [d, i] = front.top();
-      front.pop();
-      if (d > distance[i]) continue;
-      for (const Neighbor& edge : graph[i])
-      {
-        const float through = d + edge.length;
-        if (labels[edge.point] == label || through > width || through >= distance[edge.point])
-          continue;
-        if (distance[edge.point] == std::numeric_limits<float>::infinity())
-          reached.push_back(edge.point);
-        distance[edge.point] = through;
-        front.push({through, edge.point});
-      }
-    }
+    for (const Index i : border[label]) front.push(i, distance[i] = 0.f);
+    front.search([&distance](const Index i) { return distance[i]; },
+                 [&](const Index i, const float d)
+                 {
+                   for (const Neighbor& edge : graph[i])
+                   {
+                     const float through = d + edge.length;
+                     float& known = distance[edge.point];
+                     if (labels[edge.point] == label || through > width || through >= known)
+                       continue;
+                     if (known == std::numeric_limits<float>::infinity())
+                       reached.push_back(edge.point);
+                     known = through;
+                     front.push(edge.point, through);
+                   }
+                 });
     for (const Index i : reached) rows[i].push_back({label, distance[i]});
     for (const Index i : reached) distance[i] = std::numeric_limits<float>::infinity();
     for (const Index i : border[label]) distance[i] = std::numeric_limits<float>::infinity();

@@ -9,17 +9,15 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_BAND_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_BAND_H
 
+// The narrow band along the borders in which they may move (section 5).
+
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Search_front.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
 
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
-
-// The narrow band along the borders in which they may move (section 5).
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -40,30 +38,27 @@ inline void grow_band(const Neighbor_graph& graph, const std::vector<int>& label
                       const std::vector<Index>& members, const float width,
                       std::vector<Band_point>& band)
 {
-  using Entry = std::pair<float, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
+  Search_front front;
   for (const Index i : members)
     for (const Neighbor& edge : graph[i])
       if (labels[edge.point] != labels[i] && 0.5f * edge.length < band[i].distance)
       {
         band[i] = {0.5f * edge.length, labels[edge.point]};
-        if (band[i].distance <= width) front.push({band[i].distance, i});
+        if (band[i].distance <= width) front.push(i, band[i].distance);
       }
-  while (!front.empty())
-  {
-    const auto [d, i] = front.top();
-    front.pop();
-    if (d > band[i].distance) continue;
-    for (const Neighbor& edge : graph[i])
-    {
-      const float through = d + edge.length;
-      if (labels[edge.point] != labels[i] || through >= band[edge.point].distance ||
-          through > width)
-        continue;
-      band[edge.point] = {through, band[i].other};
-      front.push({through, edge.point});
-    }
-  }
+  front.search([&band](const Index i) { return band[i].distance; },
+               [&](const Index i, const float d)
+               {
+                 for (const Neighbor& edge : graph[i])
+                 {
+                   const float through = d + edge.length;
+                   if (labels[edge.point] != labels[i] || through >= band[edge.point].distance ||
+                       through > width)
+                     continue;
+                   band[edge.point] = {through, band[i].other};
+                   front.push(edge.point, through);
+                 }
+               });
   for (const Index i : members)
     if (band[i].distance > width) band[i].other = -1;
 }

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_MAX_FLOW_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_MAX_FLOW_H
 
+// CGAL's max-flow in CGAL's own namespace for it: <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h> does
+// the same, but brings the Boost Graph Library's flows along, which take seconds to compile.
+
 #include <CGAL/license/Surface_mesh_segmentation.h>
 
 #include <cstdio>
@@ -16,8 +19,6 @@
 #include <cstring>
 #include <vector>
 
-// CGAL's max-flow in CGAL's own namespace for it: <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h> does
-// the same, but brings the Boost Graph Library's flows along, which take seconds to compile.
 namespace MaxFlow {
 #include <CGAL/Surface_mesh_segmentation/internal/auxiliary/graph.h>
 }

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_REFINE_BORDERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_REFINE_BORDERS_H
 
+// Border refinement (section 5, equations 3-5): borders move within a narrow band to where the surface is
+// concave, by alpha expansion as in the paper or by cuts of single seams.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/alpha_expansion.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/seam_cuts.h>
@@ -18,9 +21,6 @@
 #include <cstddef>
 #include <map>
 #include <vector>
-
-// Border refinement (section 5, equations 3-5): borders move within a narrow band to where the surface is
-// concave, by alpha expansion as in the paper or by cuts of single seams.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

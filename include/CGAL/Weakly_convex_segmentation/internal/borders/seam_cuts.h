@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_SEAM_CUTS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_BORDERS_SEAM_CUTS_H
 
+// The default's border refinement: one binary minimum cut for each pair of adjacent segments, with the costs
+// of section 5 (equations 3-5) and a smoothness cost that falls with concavity.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/band.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/max_flow.h>
@@ -22,9 +25,6 @@
 #include <numeric>
 #include <utility>
 #include <vector>
-
-// The default's border refinement: one binary minimum cut for each pair of adjacent segments, with the costs
-// of section 5 (equations 3-5) and a smoothness cost that falls with concavity.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

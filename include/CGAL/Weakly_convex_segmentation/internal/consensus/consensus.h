@@ -9,6 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H
 
+// What several segmentations of one shape agree on. Where patches end is left to chance in part, and
+// with it whether a part is found that is hardly one. Segmentations from several sets of patches err
+// independently of each other, so most of them are right more often than each of them.
+
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -16,10 +22,6 @@
 #include <tuple>
 #include <utility>
 #include <vector>
-
-// What several segmentations of one shape agree on. Where patches end is left to chance in part, and
-// with it whether a part is found that is hardly one. Segmentations from several sets of patches err
-// independently of each other, so most of them are right more often than each of them.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -60,9 +62,9 @@ class Consensus
 public:
   explicit Consensus(const Overlay& classes)
     : m_runs(static_cast<double>(classes.labels.front().size())), m_sizes(classes.sizes),
-      m_together(classes.sizes.size()), m_age(classes.sizes.size(), 0)
+      m_clusters(classes.sizes.size()), m_together(classes.sizes.size()),
+      m_age(classes.sizes.size(), 0)
   {
-    for (std::size_t c = 0; c < m_sizes.size(); ++c) m_cluster.push_back(static_cast<int>(c));
     for (std::size_t s = 0; s < classes.labels.front().size(); ++s)
     {
       std::map<int, std::vector<int>> with_label;
@@ -99,7 +101,7 @@ public:
                      [this](const int a, const int b) { return m_sizes[a] < m_sizes[b]; });
     for (const int c : by_size)
     {
-      if (m_cluster[c] != c || m_sizes[c] >= size) continue;
+      if (cluster_of(c) != c || m_sizes[c] >= size) continue;
       std::pair<double, int> best(0., -1);
       for (const auto& [other, together] : m_together[c])
         best = (std::max)(best, {together / m_sizes[other], other});
@@ -108,11 +110,7 @@ public:
   }
 
   /// cluster of a class, named by one of its classes
-  int cluster_of(int c) const
-  {
-    while (m_cluster[c] != c) c = m_cluster[c];
-    return c;
-  }
+  int cluster_of(const int c) const { return m_clusters.name_of(c); }
 
 private:
   struct Candidate
@@ -151,14 +149,14 @@ private:
     }
     m_together[b].clear();
     m_sizes[a] += m_sizes[b];
-    m_cluster[b] = a;
+    m_clusters.join_named(a, b);
     ++m_age[a];
     ++m_age[b];
   }
 
-  double m_runs;               ///< number of segmentations
-  std::vector<double> m_sizes; ///< points in each cluster
-  std::vector<int> m_cluster;  ///< classes as a forest: the root names the cluster
+  double m_runs;                 ///< number of segmentations
+  std::vector<double> m_sizes;   ///< points in each cluster
+  Disjoint_sets<int> m_clusters; ///< of classes
   /// pairs of points of two clusters that are together, summed over the segmentations
   std::vector<std::map<int, double>> m_together;
   std::vector<std::size_t> m_age;

@@ -9,14 +9,14 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_DIAMETERS_DIAMETER_HISTOGRAM_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_DIAMETERS_DIAMETER_HISTOGRAM_H
 
+// The volumetric signature of a region (section 5): a histogram of shape diameters, additive under
+// merging, and the earth mover's distance between two of them (equation 2).
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-
-// The volumetric signature of a region (section 5): a histogram of shape diameters, additive under
-// merging, and the earth mover's distance between two of them (equation 2).
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

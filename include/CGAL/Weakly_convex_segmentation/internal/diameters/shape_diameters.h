@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_DIAMETERS_SHAPE_DIAMETERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_DIAMETERS_SHAPE_DIAMETERS_H
 
+// Shape diameters (section 5, "Merging by volumetric signature"): of a component's own points, as in
+// the paper, or through the whole shape.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/Diameter_histogram.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
@@ -22,9 +25,6 @@
 #include <utility>
 #include <vector>
 
-// Shape diameters (section 5, "Merging by volumetric signature"): of a component's own points, as in
-// the paper, or through the whole shape.
-
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
@@ -35,7 +35,7 @@ constexpr std::size_t diameter_rays = 10;
 constexpr std::size_t number_of_diameters = 2000;
 
 /// A point with the diameter of the shape there; 0 if there is none. The points that it faces along
-/// its normal, across the volume and across the space outside, tell of walls and cavities.
+/// its normal, across the volume and across the space outside, show walls and cavities.
 struct Diameter_sample
 {
   Index point;

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_CHECK_CALL_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_CHECK_CALL_H
 
+// What is wrong with a call is found before anything else is compiled: one error that says so, in place of
+// pages about the insides of the library.
+
 #include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
 #include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
@@ -19,9 +22,6 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-
-// What is wrong with a call is found before anything else is compiled: one error that says so, in place of
-// pages about the insides of the library.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -90,7 +90,7 @@ struct Has_only<CGAL::Named_function_parameters<T, Tag, Base>, Names...>
                        Has_only<Base, Names...>::value>
 {};
 
-/// Vertices or elements that a property map can be asked for; keys of a map that tells no type may be all.
+/// Vertices or elements that a property map can be asked for; those of a map without a key type may be any.
 template <typename Map, typename Key, typename = void>
 struct Has_key : std::true_type
 {};
@@ -112,7 +112,7 @@ struct Gives_coordinates<
         get(std::declval<const Map&>(), std::declval<const Key&>()))))>> : Has_key<Map, Key>
 {};
 
-/// What a map that tells its types says of labels; one that does not is taken at its `put()`.
+/// What a map that names its types says of labels; one that does not is taken at its `put()`.
 template <typename Map, typename = void>
 struct Has_int_values : std::true_type
 {};

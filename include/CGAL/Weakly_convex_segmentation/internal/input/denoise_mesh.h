@@ -9,6 +9,10 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_DENOISE_MESH_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_DENOISE_MESH_H
 
+// Noise of the vertices of a mesh, told from shape as in denoise_points.h and smoothed along the mesh before it is
+// thinned: the mesh still knows the two sides of a wall apart where noise has mixed their points. The
+// paper is silent on noise in the input.
+
 #include <CGAL/Weakly_convex_segmentation/internal/input/polygons.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
@@ -21,10 +25,6 @@
 #include <numeric>
 #include <utility>
 #include <vector>
-
-// Noise of the vertices of a mesh, told from shape as in denoise_points.h and smoothed along the mesh before it is
-// thinned: the mesh still knows the two sides of a wall apart where noise has mixed their points. The
-// paper is silent on noise in the input.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

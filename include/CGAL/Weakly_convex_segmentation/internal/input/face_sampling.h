@@ -9,27 +9,30 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_FACE_SAMPLING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_FACE_SAMPLING_H
 
+// The method works on points that lie about equally dense. One point a face (section 6) does that for
+// fine meshes only: a large or long face is cut in thought, and gets a point for each piece.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
-
-// The method works on points that lie about equally dense. One point a face (section 6) does that for
-// fine meshes only: a large or long face is cut in thought, and gets a point for each piece.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-using Triangle = std::array<std::array<double, 3>, 3>;
+using Triangle = std::array<Coordinates, 3>;
 
-inline double squared_distance(const std::array<double, 3>& a, const std::array<double, 3>& b)
+inline double squared_distance(const Coordinates& a, const Coordinates& b)
 {
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   return x * x + y * y + z * z;
@@ -53,7 +56,7 @@ void for_each_piece(const Triangle& triangle, const double longest, const Piece&
       const double d = squared_distance(t[e], t[(e + 1) % 3]);
       if (d > length) length = d, edge = e;
     }
-    std::array<double, 3> center;
+    Coordinates center;
     if (!(length > longest * longest) || cuts == most_cuts)
     {
       for (int c = 0; c < 3; ++c) center[c] = t[0][c] / 3. + t[1][c] / 3. + t[2][c] / 3.;
@@ -89,37 +92,35 @@ inline double longest_squared_edge(const Raw_shape& raw, const std::size_t face)
   return longest;
 }
 
-/// The points of the faces that have more than one: those of `faces[i]` from `first[i]` on.
-struct Face_samples
+/// The positions of the points of the faces that have more than one: a row each.
+struct Face_samples : Compressed_rows<Coordinates>
 {
-  std::vector<Index> faces; ///< ascending
-  std::vector<std::size_t> first;
-  std::vector<std::array<double, 3>> positions;
+  std::vector<Index> faces; ///< of the rows, ascending
 };
 
 /// returns the pieces of all faces with an edge longer than `longest`, unless they are more than
-/// `most`: then, an empty `first`.
-inline Face_samples cut_faces(const Raw_shape& raw, const double longest, const std::size_t most)
+/// `most`: then, none.
+inline std::optional<Face_samples> cut_faces(const Raw_shape& raw, const double longest,
+                                             const std::size_t most)
 {
   Face_samples samples;
-  samples.first.push_back(0);
   for (std::size_t f = 0; f + 1 < raw.first_corner.size(); ++f)
   {
     const double edge = longest_squared_edge(raw, f);
     if (!(edge > longest * longest)) continue;
     // at least one piece a length, so that hopeless faces are not even begun
-    if (std::sqrt(edge) / longest > static_cast<double>(most)) return {};
+    if (std::sqrt(edge) / longest > static_cast<double>(most)) return std::nullopt;
     for_each_triangle(raw, f,
                       [&](const Triangle& t)
                       {
-                        if (samples.positions.size() > most) return;
+                        if (samples.entries.size() > most) return;
                         for_each_piece(t, longest,
-                                       [&](const std::array<double, 3>& center)
-                                       { samples.positions.push_back(center); });
+                                       [&](const Coordinates& center)
+                                       { samples.entries.push_back(center); });
                       });
-    if (samples.positions.size() > most) return {};
+    if (samples.entries.size() > most) return std::nullopt;
     samples.faces.push_back(static_cast<Index>(f));
-    samples.first.push_back(samples.positions.size());
+    samples.end_row();
   }
   return samples;
 }
@@ -163,8 +164,8 @@ private:
 
 /// returns the point of `[first, last)` that is nearest to `p`, and its squared distance.
 template <typename Iterator>
-std::pair<Index, double> nearest_of(const std::vector<std::array<double, 3>>& positions,
-                                    const Index p, const Iterator first, const Iterator last)
+std::pair<Index, double> nearest_of(const std::vector<Coordinates>& positions, const Index p,
+                                    const Iterator first, const Iterator last)
 {
   std::pair<Index, double> nearest = {*first, std::numeric_limits<double>::infinity()};
   for (Iterator q = first; q != last; ++q)
@@ -233,30 +234,32 @@ inline bool sample_faces(const Raw_shape& raw, const Sampling_parameters& parame
   const double wanted = static_cast<double>((std::max)(faces, fewest_samples));
   double longest = parameters.face_sampling_factor * std::sqrt(area / wanted);
   if (!(longest * longest > 0.) || !std::isfinite(longest * longest)) return false;
-  Face_samples samples = cut_faces(raw, longest, parameters.number_of_representatives);
-  for (int trial = 0; trial < 100 && samples.first.empty(); ++trial)
+  const auto cut = [&] { return cut_faces(raw, longest, parameters.number_of_representatives); };
+  std::optional<Face_samples> samples = cut();
+  for (int trial = 0; trial < 100 && !samples; ++trial)
   {
     longest *= 1.5;
-    samples = cut_faces(raw, longest, parameters.number_of_representatives);
+    samples = cut();
   }
-  if (samples.faces.empty()) return false;
+  if (!samples || samples->faces.empty()) return false;
 
   result.exponent = raw.exponent;
   result.positions = raw.positions;
   result.normals = raw.normals;
   for (std::size_t f = 0; f < faces; ++f) result.element_of.push_back(static_cast<Index>(f));
-  for (std::size_t i = 0; i < samples.faces.size(); ++i)
+  for (std::size_t i = 0; i < samples->size(); ++i)
   {
-    const Index f = samples.faces[i];
-    result.positions[f] = samples.positions[samples.first[i]];
-    for (std::size_t s = samples.first[i] + 1; s < samples.first[i + 1]; ++s)
+    const Index f = samples->faces[i];
+    const auto own = (*samples)[i];
+    result.positions[f] = *own.begin();
+    for (const Coordinates* sample = own.begin() + 1; sample != own.end(); ++sample)
     {
-      result.positions.push_back(samples.positions[s]);
+      result.positions.push_back(*sample);
       result.normals.push_back(raw.normals[f]);
       result.element_of.push_back(f);
     }
   }
-  link_samples(raw, samples, longest, result);
+  link_samples(raw, *samples, longest, result);
   return true;
 }
 

@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_POLYGONS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_POLYGONS_H
 
+// The faces of a mesh as the method sees them: one point each (section 6), and their corners.
+
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 
@@ -16,8 +18,6 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-// The faces of a mesh as the method sees them: one point each (section 6), and their corners.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

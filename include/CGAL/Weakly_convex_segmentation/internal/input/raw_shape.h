@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_RAW_SHAPE_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_RAW_SHAPE_H
 
+// The input of the method (sections 3 and 6) as flat arrays: points with normals, or a mesh as one point a face.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
@@ -20,8 +22,6 @@
 #include <string>
 #include <vector>
 
-// The input of the method (sections 3 and 6) as flat arrays: points with normals, or a mesh as one point a face.
-
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
@@ -29,17 +29,17 @@ namespace internal {
 /// What is read through the property maps of the caller, in input order.
 struct Raw_shape
 {
-  std::vector<std::array<double, 3>> positions;
-  std::vector<std::array<double, 3>> normals; ///< of any length; zero where there is none
-  std::vector<std::array<Index, 2>> links;    ///< pairs of faces that share an edge
+  std::vector<Coordinates> positions;
+  std::vector<Coordinates> normals;        ///< of any length; zero where there is none
+  std::vector<std::array<Index, 2>> links; ///< pairs of faces that share an edge
   std::vector<Index> element_of; ///< input element of each point; empty if they are the same
-  std::vector<std::size_t> first_corner;      ///< of each face in `corners`, and the end; or empty
-  std::vector<std::array<double, 3>> corners; ///< of all faces
+  std::vector<std::size_t> first_corner; ///< of each face in `corners`, and the end; or empty
+  std::vector<Coordinates> corners;      ///< of all faces
   int exponent = 0; ///< lengths of the input are those here, times 2 to the power of this
 };
 
 /// \throws std::invalid_argument if a coordinate is not finite.
-inline void check_finite(const std::vector<std::array<double, 3>>& vectors, const char* what,
+inline void check_finite(const std::vector<Coordinates>& vectors, const char* what,
                          const bool parallel = false)
 {
   const auto first_bad = map_blocks(vectors.size(), parallel,

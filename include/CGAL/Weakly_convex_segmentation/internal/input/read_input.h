@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_READ_INPUT_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_READ_INPUT_H
 
+// Templates at the edge: the caller's containers are read through property maps into flat arrays once.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/polygons.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
@@ -34,8 +36,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-// Templates at the edge: the caller's containers are read through property maps into flat arrays once.
 
 namespace CGAL {
 

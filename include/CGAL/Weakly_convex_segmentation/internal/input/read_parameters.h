@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_READ_PARAMETERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_READ_PARAMETERS_H
 
+// What named parameters say besides where the coordinates are. They are of CGAL's class here, see as_cgal().
+
 #include <CGAL/Weakly_convex_segmentation/Default_traits.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
@@ -21,8 +23,6 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-
-// What named parameters say besides where the coordinates are. They are of CGAL's class here, see as_cgal().
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

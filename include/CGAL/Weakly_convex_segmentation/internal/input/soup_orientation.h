@@ -9,7 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_SOUP_ORIENTATION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_SOUP_ORIENTATION_H
 
+// The polygons of a soup may be turned over one by one, or whole pieces inside out. For the run they
+// are turned: consistently within each piece, and closed pieces that are inside out to the outside.
+
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 
 #include <algorithm>
 #include <array>
@@ -17,9 +22,6 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-// The polygons of a soup may be turned over one by one, or whole pieces inside out. For the run they
-// are turned: consistently within each piece, and closed pieces that are inside out to the outside.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -57,12 +59,11 @@ inline std::vector<Polygon_side> sorted_sides(const std::vector<std::size_t>& ve
 }
 
 /// Pieces of a soup whose polygons hang together across edges of two polygons each.
-struct Soup_pieces
+struct Soup_pieces : Compressed_rows<Index> // the faces of each piece
 {
-  std::vector<Index> of_face, order; ///< `order`: the faces, those of a piece in a row
-  std::vector<std::size_t> first;    ///< begin of each piece in `order`, and the end
-  std::vector<char> is_flipped;      ///< of each face, against the first face of its piece
-  std::vector<char> is_closed;       ///< of each piece
+  std::vector<Index> of_face;
+  std::vector<char> is_flipped; ///< of each face, against the first face of its piece
+  std::vector<char> is_closed;  ///< of each piece
 };
 
 /// Across an edge of a face: the other face, and whether both run along the edge the same way.
@@ -111,14 +112,13 @@ inline Soup_pieces find_pieces(const std::vector<Across_edge>& across,
   for (std::size_t seed = 0; seed < n; ++seed)
   {
     if (pieces.of_face[seed] != none) continue;
-    const Index piece = static_cast<Index>(pieces.first.size());
-    pieces.first.push_back(pieces.order.size());
+    const Index piece = static_cast<Index>(pieces.size());
     pieces.is_closed.push_back(1);
     pieces.of_face[seed] = piece;
-    pieces.order.push_back(static_cast<Index>(seed));
-    for (std::size_t next = pieces.first.back(); next < pieces.order.size(); ++next)
+    pieces.entries.push_back(static_cast<Index>(seed));
+    for (std::size_t next = pieces.first.back(); next < pieces.entries.size(); ++next)
     {
-      const Index f = pieces.order[next];
+      const Index f = pieces.entries[next];
       if (has_open_edge[f] != 0) pieces.is_closed.back() = 0;
       for (std::size_t i = begin[f]; i < begin[f + 1]; ++i)
       {
@@ -127,36 +127,33 @@ inline Soup_pieces find_pieces(const std::vector<Across_edge>& across,
         pieces.of_face[g] = piece;
         pieces.is_flipped[g] =
             static_cast<char>((pieces.is_flipped[f] != 0) != across[i].is_turned);
-        pieces.order.push_back(g);
+        pieces.entries.push_back(g);
       }
     }
+    pieces.end_row();
   }
-  pieces.first.push_back(pieces.order.size());
   return pieces;
 }
 
 /// turns the smaller part (by number) of each piece, so that a consistent piece stays as it is.
 inline void keep_majority(Soup_pieces& pieces)
 {
-  for (std::size_t p = 0; p + 1 < pieces.first.size(); ++p)
+  for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     std::size_t flipped = 0;
-    for (std::size_t i = pieces.first[p]; i < pieces.first[p + 1]; ++i)
-      flipped += pieces.is_flipped[pieces.order[i]];
-    if (2 * flipped <= pieces.first[p + 1] - pieces.first[p]) continue;
-    for (std::size_t i = pieces.first[p]; i < pieces.first[p + 1]; ++i)
-      pieces.is_flipped[pieces.order[i]] ^= 1;
+    for (const Index f : pieces[p]) flipped += pieces.is_flipped[f];
+    if (2 * flipped <= pieces[p].size()) continue;
+    for (const Index f : pieces[p]) pieces.is_flipped[f] ^= 1;
   }
 }
 
 /// returns six times the signed volume of a piece, from its first face's point on.
 inline double signed_volume(const Raw_shape& raw, const Soup_pieces& pieces, const std::size_t p)
 {
-  const auto& origin = raw.positions[pieces.order[pieces.first[p]]];
+  const Coordinates& origin = raw.positions[*pieces[p].begin()];
   double volume = 0.;
-  for (std::size_t i = pieces.first[p]; i < pieces.first[p + 1]; ++i)
+  for (const Index f : pieces[p])
   {
-    const Index f = pieces.order[i];
     double share = 0.;
     for (int c = 0; c < 3; ++c) share += (raw.positions[f][c] - origin[c]) * raw.normals[f][c];
     volume += pieces.is_flipped[f] != 0 ? -share : share;
@@ -180,13 +177,13 @@ inline bool is_inside_another(const std::vector<std::array<double, 6>>& boxes, c
 /// returns low and high corner of the face points of each piece.
 inline std::vector<std::array<double, 6>> boxes_of(const Raw_shape& raw, const Soup_pieces& pieces)
 {
-  std::vector<std::array<double, 6>> boxes(pieces.first.size() - 1);
+  std::vector<std::array<double, 6>> boxes(pieces.size());
   for (std::size_t p = 0; p < boxes.size(); ++p)
-    for (std::size_t i = pieces.first[p]; i < pieces.first[p + 1]; ++i)
+    for (const Index& f : pieces[p])
       for (int c = 0; c < 3; ++c)
       {
-        const double x = raw.positions[pieces.order[i]][c];
-        const bool is_first = i == pieces.first[p];
+        const double x = raw.positions[f][c];
+        const bool is_first = &f == pieces[p].begin();
         boxes[p][c] = is_first ? x : (std::min)(boxes[p][c], x);
         boxes[p][c + 3] = is_first ? x : (std::max)(boxes[p][c + 3], x);
       }
@@ -206,13 +203,12 @@ inline std::size_t orient_soup(const std::vector<Polygon_side>& sides, Raw_shape
   Soup_pieces pieces = find_pieces(across_edges(sides, has_open_edge), has_open_edge);
   keep_majority(pieces);
   std::vector<std::array<double, 6>> boxes;
-  for (std::size_t p = 0; p + 1 < pieces.first.size(); ++p)
+  for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     if (pieces.is_closed[p] == 0 || !(signed_volume(raw, pieces, p) < 0.)) continue;
     if (boxes.empty()) boxes = boxes_of(raw, pieces);
     if (is_inside_another(boxes, p)) continue;
-    for (std::size_t i = pieces.first[p]; i < pieces.first[p + 1]; ++i)
-      pieces.is_flipped[pieces.order[i]] ^= 1;
+    for (const Index f : pieces[p]) pieces.is_flipped[f] ^= 1;
   }
   std::size_t turned = 0;
   for (std::size_t f = 0; f < raw.normals.size(); ++f)

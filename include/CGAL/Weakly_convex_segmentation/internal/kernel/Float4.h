@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_FLOAT4_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_FLOAT4_H
 
+// Four floats at once.
+
 #include <Eigen/Core>
 
 #include <cstddef>

@@ -9,11 +9,13 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_FORK_AND_JOIN_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_FORK_AND_JOIN_H
 
+// Where tests watch the threads of parallel loops.
+
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// Is told when a parallel loop begins and ends, and each of its pieces. It does nothing: a build that
+/// Is notified when a parallel loop begins and ends, and each of its pieces. It does nothing: a build that
 /// watches the threads puts a header of this name before this one (`WCS_SANITIZE`).
 class Fork_and_join
 {

@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_FUNCTION_REF_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_FUNCTION_REF_H
 
+// Function objects as arguments of functions that are no templates.
+
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {

@@ -9,36 +9,28 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_GRAPH_VORONOI_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_GRAPH_VORONOI_H
 
-#include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <functional>
-#include <limits>
-#include <queue>
-#include <vector>
-
 // Voronoi cells along the edges of a graph: of the points (supervoxels), and of the supervoxels (what
 // their clustering begins with).
+
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Search_front.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
+
+#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// A graph with the costs of its edges, in less memory than the neighbor graph.
-struct Cost_graph
+/// An edge to another point, and its cost.
+struct Cost_edge
 {
-  struct Edge
-  {
-    Index point;
-    float cost;
-  };
-  std::vector<std::size_t> first; ///< begin of each point's row in `edges`; size n + 1
-  std::vector<Edge> edges;
-
-  std::size_t size() const { return first.size() - 1; }
+  Index point;
+  float cost;
 };
+/// A graph with the costs of its edges, in less memory than the neighbor graph.
+using Cost_graph = Compressed_rows<Cost_edge>;
 
 /// Dijkstra's search from seeds that are added one after the other; every point belongs to the seed
 /// that is nearest along the graph.
@@ -57,45 +49,31 @@ public:
   {
     m_distance[point] = 0.f;
     m_cell[point] = cell;
-    m_front.push(entry(0.f, point));
+    m_front.push(point, 0.f);
   }
 
   /// lets the seeds added so far take all points that are nearer to them.
   void grow()
   {
-    while (!m_front.empty())
-    {
-      const std::uint64_t top = m_front.top();
-      const Index i = static_cast<Index>(top);
-      m_front.pop();
-      const float d = m_distance[i];
-      if (top != entry(d, i)) continue; // a shorter way was found since
-      for (std::size_t e = m_graph.first[i]; e < m_graph.first[i + 1]; ++e)
-      {
-        const auto [j, cost] = m_graph.edges[e];
-        const float through = d + cost;
-        if (through >= m_distance[j]) continue;
-        m_distance[j] = through;
-        m_cell[j] = m_cell[i];
-        m_front.push(entry(through, j));
-      }
-    }
-  }
-
-  /// distance and point as one integer, in the same order: the bits of floats from 0 on ascend
-  static std::uint64_t entry(const float distance, const Index point)
-  {
-    std::uint32_t bits;
-    std::memcpy(&bits, &distance, sizeof(bits));
-    return static_cast<std::uint64_t>(bits) << 32 | point;
+    m_front.search([this](const Index i) { return m_distance[i]; },
+                   [this](const Index i, const float d)
+                   {
+                     for (const auto& [j, cost] : m_graph[i])
+                     {
+                       const float through = d + cost;
+                       if (through >= m_distance[j]) continue;
+                       m_distance[j] = through;
+                       m_cell[j] = m_cell[i];
+                       m_front.push(j, through);
+                     }
+                   });
   }
 
 private:
   const Cost_graph& m_graph;
   std::vector<float> m_distance;
   std::vector<Index> m_cell;
-  std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<std::uint64_t>>
-      m_front;
+  Search_front m_front;
 };
 
 } // namespace internal

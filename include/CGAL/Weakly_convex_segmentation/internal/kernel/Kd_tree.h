@@ -9,19 +9,19 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_KD_TREE_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_KD_TREE_H
 
+// Nearest neighbors by a k-d tree of our own: single precision, points in leaves of two times four, so
+// that four distances are computed at once. CGAL's k-d tree takes longer for the same neighbors.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Float4.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/float_bits.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 #include <vector>
-
-// Nearest neighbors by a k-d tree of our own: single precision, points in leaves of two times four, so
-// that four distances are computed at once. CGAL's k-d tree takes longer for the same neighbors.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -87,14 +87,12 @@ public:
   }
 
 private:
-  /// Squared distance and point as one number: the bits of floats from 0 on ascend. Points that are
+  /// Squared distance and point as one number, in the same order. Points that are
   /// equally near come in the order of a hash: that of their indices would favor a direction, and bend
   /// borders on regular grids.
   static std::uint64_t entry(const float distance, const Index index)
   {
-    std::uint32_t bits;
-    std::memcpy(&bits, &distance, sizeof(bits));
-    return static_cast<std::uint64_t>(bits) << 32 | index * 2654435761u;
+    return static_cast<std::uint64_t>(bits_of_float(distance)) << 32 | index * 2654435761u;
   }
   static Index index_of(const std::uint64_t entry)
   {
@@ -102,10 +100,7 @@ private:
   }
   static float distance_of(const std::uint64_t entry)
   {
-    const std::uint32_t bits = static_cast<std::uint32_t>(entry >> 32);
-    float distance;
-    std::memcpy(&distance, &bits, sizeof(bits));
-    return distance;
+    return float_of_bits(static_cast<std::uint32_t>(entry >> 32));
   }
 
   void build(Entries first, Entries last);

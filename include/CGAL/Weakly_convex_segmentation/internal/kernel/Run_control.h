@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_RUN_CONTROL_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_RUN_CONTROL_H
 
+// Progress, cancellation and events of a run.
+
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Function_ref.h>
 
@@ -80,7 +82,7 @@ struct Run_control
   }
 };
 
-/// Tells another visitor of merges, and asks the callback meanwhile.
+/// Passes merges on to another visitor, and asks the callback meanwhile.
 class Asking_visitor : public Visitor
 {
   const Run_control& m_control;

@@ -9,15 +9,15 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_SYMMETRIC_MATRIX3_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_SYMMETRIC_MATRIX3_H
 
+// Symmetric 3x3 matrices, for the axes of clouds of points. They do what
+// Eigen's closed form does, with the same rounding, but take a compiler a hundredth of the time.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-// Symmetric 3x3 matrices, for the axes of clouds of points. They do what
-// Eigen's closed form does, with the same rounding, but take a compiler a hundredth of the time.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -50,6 +50,24 @@ struct Symmetric_matrix3
   }
   /// less a multiple of the identity
   Symmetric_matrix3 shifted(const double s) const { return {diagonal - Double3{s, s, s}, off}; }
+  /// returns v^T M v
+  double form(const Double3& v) const
+  {
+    return diagonal.x * v.x * v.x + diagonal.y * v.y * v.y + diagonal.z * v.z * v.z +
+           2. * (off.x * v.x * v.y + off.y * v.x * v.z + off.z * v.y * v.z);
+  }
+  /// returns determinant * inverse
+  Symmetric_matrix3 adjugate() const
+  {
+    const Double3 &d = diagonal, &o = off;
+    return {{d.y * d.z - o.z * o.z, d.x * d.z - o.y * o.y, d.x * d.y - o.x * o.x},
+            {o.y * o.z - o.x * d.z, o.x * o.z - o.y * d.y, o.x * o.y - o.z * d.x}};
+  }
+  double determinant() const
+  {
+    const Symmetric_matrix3 a = adjugate();
+    return diagonal.x * a.diagonal.x + off.x * a.off.x + off.y * a.off.y;
+  }
 };
 
 inline Symmetric_matrix3 operator+(const Symmetric_matrix3& a, const Symmetric_matrix3& b)
@@ -59,6 +77,10 @@ inline Symmetric_matrix3 operator+(const Symmetric_matrix3& a, const Symmetric_m
 inline Symmetric_matrix3 operator-(const Symmetric_matrix3& a, const Symmetric_matrix3& b)
 {
   return {a.diagonal - b.diagonal, a.off - b.off};
+}
+inline Symmetric_matrix3 operator*(const double s, const Symmetric_matrix3& a)
+{
+  return {s * a.diagonal, s * a.off};
 }
 inline Symmetric_matrix3 operator/(const Symmetric_matrix3& a, const double s)
 {

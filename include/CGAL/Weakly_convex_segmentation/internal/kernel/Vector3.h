@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_VECTOR3_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_VECTOR3_H
 
+// Vectors of three numbers, and angles.
+
 #include <cmath>
 #include <cstdint>
 
@@ -62,6 +64,8 @@ using Vector3 = Basic_vector3<float>;
 /// for sums over many points
 using Double3 = Basic_vector3<double>;
 
+inline Double3 in_double(const Vector3& a) { return {a.x, a.y, a.z}; }
+
 /// returns a unit vector, or `fallback` if `a` has no direction.
 inline Vector3 normalized(const Vector3& a, const Vector3& fallback = {0.f, 0.f, 1.f})
 {
@@ -74,6 +78,16 @@ inline float angle(const Vector3& a, const Vector3& b)
 {
   const float c = dot(a, b);
   return std::acos(c > 1.f ? 1.f : (c < -1.f ? -1.f : c));
+}
+
+/// returns the angle between the unit normals `n` at `p` and `m` at `q`, negative if the edge between them is
+/// convex: concave iff (m - n) . (q - p) < 0, that is iff the normals lean towards each other.
+inline float signed_concavity(const Vector3& p, const Vector3& n, const Vector3& q,
+                              const Vector3& m)
+{
+  const float turn = dot(m - n, q - p);
+  const float bend = angle(n, m);
+  return turn < 0.f ? bend : -bend;
 }
 
 constexpr float radians(const double degrees)

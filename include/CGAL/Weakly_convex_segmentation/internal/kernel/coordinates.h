@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_COORDINATES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_COORDINATES_H
 
+// The caller's coordinates as flat arrays.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 
 #include <algorithm>
@@ -18,8 +20,6 @@
 #include <iterator>
 #include <type_traits>
 #include <vector>
-
-// The caller's coordinates as flat arrays.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

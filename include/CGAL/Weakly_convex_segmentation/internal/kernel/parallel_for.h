@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_PARALLEL_FOR_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_KERNEL_PARALLEL_FOR_H
 
+// Loops and sorts on several threads, whose results do not depend on the number of threads.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Fork_and_join.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Function_ref.h>
 
@@ -84,7 +86,7 @@ template <typename Iterator, typename Less>
 void parallel_sort(const Iterator first, const Iterator last, const bool parallel, const Less& less)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  if (parallel && !Fork_and_join::is_watched) // its own pieces can't be told of
+  if (parallel && !Fork_and_join::is_watched) // its own pieces can't be watched
   {
     tbb::parallel_sort(first, last, less);
     return;

@@ -9,13 +9,13 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_BOOSTED_TREES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_BOOSTED_TREES_H
 
+// A sum of small decision trees, as the fitted merge cost has them.
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-// A sum of small decision trees, as the fitted merge cost has them.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

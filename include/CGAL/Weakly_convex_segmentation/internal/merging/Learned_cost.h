@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_LEARNED_COST_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_LEARNED_COST_H
 
+// The fitted preset's criterion for fusion and merging: the probability that a person would have two
+// points across a seam in one part, as boosted trees over the features of the pair.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Boosted_trees.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Pair_features.h>
@@ -18,9 +21,6 @@
 #include <cmath>
 #include <limits>
 #include <vector>
-
-// The fitted preset's criterion for fusion and merging: the probability that a person would have two
-// points across a seam in one part, as boosted trees over the features of the pair.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

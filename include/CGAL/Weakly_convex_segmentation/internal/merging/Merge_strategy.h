@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_MERGE_STRATEGY_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_MERGE_STRATEGY_H
 
+// What becomes components and segments (sections 4 and 5): by a cost, such as the default's or the learned
+// one, or by the paper's rules.
+
 #include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Learned_cost.h>
@@ -20,9 +23,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-
-// What becomes components and segments (sections 4 and 5): by a cost, such as the default's or the learned
-// one, or by the paper's rules.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

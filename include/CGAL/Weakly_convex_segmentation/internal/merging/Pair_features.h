@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_PAIR_FEATURES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_PAIR_FEATURES_H
 
+// What the fitted merge cost knows of a pair of adjacent regions. All of it comes from sums that add up
+// under merging; lengths are relative to the extent of the shape, so nothing depends on scale or pose.
+
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Region_cost.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Region_graph.h>
 
@@ -19,9 +22,6 @@
 #include <limits>
 #include <utility>
 #include <vector>
-
-// What the fitted merge cost knows of a pair of adjacent regions. All of it comes from sums that add up
-// under merging; lengths are relative to the extent of the shape, so nothing depends on scale or pose.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

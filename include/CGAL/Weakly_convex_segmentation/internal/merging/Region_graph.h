@@ -9,8 +9,13 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_REGION_GRAPH_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_REGION_GRAPH_H
 
+// The region adjacency graph on which sections 4 (fusion) and 5 (merging) run: regions and seams with
+// statistics that add up under merging.
+
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/Diameter_histogram.h>
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/shape_diameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/number_labels.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Region_moments.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Patch_visibility.h>
 
@@ -19,9 +24,6 @@
 #include <map>
 #include <utility>
 #include <vector>
-
-// The region adjacency graph on which sections 4 (fusion) and 5 (merging) run: regions and seams with
-// statistics that add up under merging.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -116,11 +118,7 @@ public:
   }
 
   /// region of a patch
-  int region_of(int patch) const
-  {
-    while (m_parent[patch] != patch) patch = m_parent[patch];
-    return patch;
-  }
+  int region_of(const int patch) const { return m_sets.name_of(patch); }
 
   /// measures the shapes of regions and seams for the default's and the fitted cost; before any merge.
   void add_shapes(const Oriented_points& points, const Neighbor_graph& graph,
@@ -145,7 +143,7 @@ private:
   std::vector<std::map<int, Seam>> m_seams; // symmetric; the lower end's entry holds the visibility
   Patch_visibility& m_visibility;
   std::vector<int> m_piece_of; // what the visibility calls each patch; empty if the same
-  std::vector<int> m_parent;   // patches as a forest: the root names the region
+  Disjoint_sets<int> m_sets;   // of patches, by the names of the regions
   std::size_t m_count = 0;
   double m_total = 0.;
   bool m_has_profiles = false;
@@ -155,12 +153,11 @@ inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_
                                   const Patches& patches, Patch_visibility& visibility,
                                   const Merging_parameters& parameters, std::vector<int> piece_of)
   : m_regions(patches.size()), m_seams(patches.size()), m_visibility(visibility),
-    m_piece_of(std::move(piece_of)), m_count(patches.size()),
+    m_piece_of(std::move(piece_of)), m_sets(patches.size()), m_count(patches.size()),
     m_total(static_cast<double>(points.size()))
 {
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
-    m_parent.push_back(static_cast<int>(p));
     m_regions[p].patches = {static_cast<int>(p)};
     m_regions[p].size = static_cast<double>(patches.members[p].size());
     m_patch_sizes.push_back(m_regions[p].size);
@@ -300,23 +297,16 @@ inline void Region_graph::merge(const int a, const int b)
   into.shape += from.shape;
   into.samples.insert(into.samples.end(), from.samples.begin(), from.samples.end());
   from = Region();
-  m_parent[b] = a;
+  m_sets.join_named(a, b);
   --m_count;
 }
 
 inline std::vector<int> Region_graph::labels() const
 {
-  std::vector<int> region_of_patch(m_regions.size());
-  for (std::size_t r = 0; r < m_regions.size(); ++r)
-    for (const int p : m_regions[r].patches) region_of_patch[p] = static_cast<int>(r);
-  std::vector<int> number(m_regions.size(), -1);
-  int next = 0;
-  for (int& r : region_of_patch)
-  {
-    if (number[r] < 0) number[r] = next++;
-    r = number[r];
-  }
-  return region_of_patch;
+  std::vector<int> labels(m_regions.size());
+  for (std::size_t p = 0; p < labels.size(); ++p) labels[p] = region_of(static_cast<int>(p));
+  number_labels(labels);
+  return labels;
 }
 
 } // namespace internal

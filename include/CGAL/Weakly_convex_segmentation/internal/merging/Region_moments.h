@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_REGION_MOMENTS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_REGION_MOMENTS_H
 
+// Additive statistics of regions and of seams beyond those that the paper's criteria need: the
+// default's and the fitted merge cost judge by them.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Symmetric_matrix3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
@@ -19,9 +22,6 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-// Additive statistics of regions and of seams beyond those that the paper's criteria need: the
-// default's and the fitted merge cost judge by them.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_CONTRACTION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_CONTRACTION_H
 
+// The greedy contraction of the region graph by ascending cost, by which patches are fused and components
+// merged (sections 4 and 5).
+
 #include <CGAL/Weakly_convex_segmentation/Merge_tree.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Function_ref.h>
@@ -20,9 +23,6 @@
 #include <queue>
 #include <tuple>
 #include <vector>
-
-// The greedy contraction of the region graph by ascending cost, by which patches are fused and components
-// merged (sections 4 and 5).
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,6 +9,13 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_PAPER_MERGING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_PAPER_MERGING_H
 
+// The paper's way of merging: patches that see each other are fused into weakly convex components (section 4),
+// and components merged by volumetric signature and seam sets (section 5).
+//
+// Where the paper is silent: histograms have equal bins from 0 to the largest diameter of the shape;
+// max(D) is over all pairs, adjacent or not; pairs are merged by ascending distance and the histograms
+// of merged components add up; a component is flat if hardly any sample has a diameter.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/shape_diameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/contraction.h>
@@ -18,13 +25,6 @@
 #include <limits>
 #include <utility>
 #include <vector>
-
-// The paper's way of merging: patches that see each other are fused into weakly convex components (section 4),
-// and components merged by volumetric signature and seam sets (section 5).
-//
-// Where the paper is silent: histograms have equal bins from 0 to the largest diameter of the shape;
-// max(D) is over all pairs, adjacent or not; pairs are merged by ascending distance and the histograms
-// of merged components add up; a component is flat if hardly any sample has a diameter.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

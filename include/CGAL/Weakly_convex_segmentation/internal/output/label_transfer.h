@@ -9,9 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_OUTPUT_LABEL_TRANSFER_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_OUTPUT_LABEL_TRANSFER_H
 
+// From the representatives back to the points and to the elements of the input.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/number_labels.h>
 #include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
 #include <algorithm>
@@ -20,26 +23,9 @@
 #include <utility>
 #include <vector>
 
-// From the representatives back to the points and to the elements of the input.
-
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// renames labels to 0, 1, ... in the order of their first element; returns how many there are.
-inline std::size_t number_labels(std::vector<int>& labels)
-{
-  int largest = -1;
-  for (const int l : labels) largest = (std::max)(largest, l);
-  std::vector<int> number(static_cast<std::size_t>(largest + 1), -1);
-  int next = 0;
-  for (int& l : labels)
-  {
-    if (number[l] < 0) number[l] = next++;
-    l = number[l];
-  }
-  return static_cast<std::size_t>(next);
-}
 
 /// returns the input points whose representative is in the band, ascending.
 inline std::vector<Index> points_in_band(const Shape_analysis& shape,

@@ -9,14 +9,14 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_OUTPUT_SEGMENT_STATISTICS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_OUTPUT_SEGMENT_STATISTICS_H
 
+// Size, convexity, diameter and neighbors of each segment.
+
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
 #include <cstddef>
 #include <set>
 #include <vector>
-
-// What the result tells of each segment.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

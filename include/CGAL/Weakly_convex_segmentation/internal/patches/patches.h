@@ -9,8 +9,16 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_PATCHES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_PATCHES_H
 
+// Initial patches (section 4): spectral clustering of the point-convexity graph.
+//
+// The paper clusters the points; we cluster a bounded number of supervoxels and carry the labels to
+// the points, so that the eigenproblem does not grow with the shape. The paper is silent on the
+// number of patches and on what becomes of patches that are not connected: we split them.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/number_labels.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/supervoxels.h>
 
@@ -25,12 +33,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-// Initial patches (section 4): spectral clustering of the point-convexity graph.
-//
-// The paper clusters the points; we cluster a bounded number of supervoxels and carry the labels to
-// the points, so that the eigenproblem does not grow with the shape. The paper is silent on the
-// number of patches and on what becomes of patches that are not connected: we split them.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -143,27 +145,21 @@ inline std::vector<Supervoxel_piece>
 supervoxel_pieces(const Supervoxels& supervoxels, const std::vector<Convexity_graph::Edge>& edges,
                   const std::size_t number_of_patches, const Patch_clustering& clustering)
 {
-  std::vector<Index> parent(supervoxels.count);
-  std::iota(parent.begin(), parent.end(), Index(0));
-  const auto root = [&parent](Index i)
-  {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const Convexity_graph::Edge& e : edges) parent[root(e.second)] = root(e.first);
+  Disjoint_sets<Index> sets(supervoxels.count);
+  for (const Convexity_graph::Edge& e : edges) sets.join(e.first, e.second);
 
-  std::vector<Supervoxel_piece> pieces(supervoxels.count); // by root, for now
+  std::vector<Supervoxel_piece> pieces(supervoxels.count); // by the names of the sets, for now
   std::vector<Convexity_graph> graphs(supervoxels.count);
   std::vector<Index> local(supervoxels.count);
   std::vector<std::size_t> points(supervoxels.count, 0);
   for (Index i = 0; i < supervoxels.count; ++i)
   {
-    local[i] = static_cast<Index>(graphs[root(i)].number_of_nodes++);
-    pieces[root(i)].supervoxels.push_back(i);
+    local[i] = static_cast<Index>(graphs[sets.find(i)].number_of_nodes++);
+    pieces[sets.find(i)].supervoxels.push_back(i);
   }
-  for (const Index s : supervoxels.of_point) ++points[root(s)];
+  for (const Index s : supervoxels.of_point) ++points[sets.find(s)];
   for (const Convexity_graph::Edge& e : edges)
-    graphs[root(e.first)].edges.push_back({local[e.first], local[e.second], e.weight});
+    graphs[sets.find(e.first)].edges.push_back({local[e.first], local[e.second], e.weight});
   const double all = static_cast<double>(supervoxels.of_point.size());
   for (Index r = 0; r < supervoxels.count; ++r)
   {
@@ -220,36 +216,28 @@ inline std::vector<int> absorb_small_pieces(const Neighbor_graph& graph, const P
       if (a != b && (segments == nullptr || (*segments)[i] == (*segments)[edge.point]))
         ++contacts[a][b];
     }
-  std::vector<int> by_size(count), target(count);
+  std::vector<int> by_size(count);
   std::iota(by_size.begin(), by_size.end(), 0);
-  target = by_size;
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](const int a, const int b) { return pieces.sizes[a] < pieces.sizes[b]; });
   std::vector<std::size_t> sizes = pieces.sizes;
-  const auto root = [&target](int i)
-  {
-    while (target[i] != i) i = target[i];
-    return i;
-  };
+  Disjoint_sets<int> joined(count);
   for (const int piece : by_size)
   {
-    if (sizes[piece] >= minimum_size || target[piece] != piece) continue;
+    if (sizes[piece] >= minimum_size || joined.find(piece) != piece) continue;
     std::pair<std::size_t, int> best(0, -1);
     for (const auto& [other, edges] : contacts[piece])
-      if (root(other) != piece) best = (std::max)(best, {edges, root(other)});
+      if (joined.find(other) != piece) best = (std::max)(best, {edges, joined.find(other)});
     if (best.second < 0) continue;
-    target[piece] = best.second;
+    joined.join_named(best.second, piece);
     sizes[best.second] += sizes[piece];
-    for (const auto& [other, edges] : contacts[piece]) contacts[best.second][root(other)] += edges;
+    for (const auto& [other, edges] : contacts[piece])
+      contacts[best.second][joined.find(other)] += edges;
   }
-  std::vector<int> number(count, -1), result(pieces.of_point.size());
-  int next = 0;
-  for (std::size_t i = 0; i < result.size(); ++i)
-  {
-    int& label = number[root(pieces.of_point[i])];
-    if (label < 0) label = next++;
-    result[i] = label;
-  }
+  std::vector<int> result;
+  result.reserve(pieces.of_point.size());
+  for (const int piece : pieces.of_point) result.push_back(joined.find(piece));
+  number_labels(result);
   return result;
 }
 
@@ -302,16 +290,6 @@ inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
       { sets[s] = cluster_to_patches(graph, supervoxels, pieces, seeds[s]); },
       1);
   return sets;
-}
-
-/// over-segments the points into one set of patches.
-inline Patches extract_patches(const Oriented_points& points, const Neighbor_graph& graph,
-                               Patch_parameters parameters)
-{
-  parameters.number_of_patch_sets = 1;
-  return std::move(extract_patch_sets(points, graph, parameters, false,
-                                      Spectral_patch_clustering(parameters.spectral_dimensions))
-                       .front());
 }
 
 } // namespace internal

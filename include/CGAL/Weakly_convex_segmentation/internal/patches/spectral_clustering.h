@@ -9,6 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SPECTRAL_CLUSTERING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SPECTRAL_CLUSTERING_H
 
+// Normalized spectral clustering of a weighted graph (section 4, "Initial patches").
+//
+// k-means begins with cells about nodes that are far from each other along the graph, so that little is
+// left to chance, and only asks for the clusters of a node's neighbors: k-means++ over all clusters makes
+// a whole run take 1.22 times as long.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Graph_voronoi.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/spectral_embedding.h>
 
@@ -20,12 +26,6 @@
 #include <utility>
 #include <vector>
 
-// Normalized spectral clustering of a weighted graph (section 4, "Initial patches").
-//
-// k-means begins with cells about nodes that are far from each other along the graph, so that little is
-// left to chance, and only asks for the clusters of a node's neighbors: k-means++ over all clusters makes
-// a whole run take 1.22 times as long.
-
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
@@ -34,12 +34,11 @@ namespace internal {
 inline Cost_graph edge_lengths(const Graph_matrix& adjacency)
 {
   Cost_graph lengths;
-  lengths.first.push_back(0);
   for (int i = 0; i < adjacency.outerSize(); ++i)
   {
     for (Graph_matrix::InnerIterator e(adjacency, i); e; ++e)
-      lengths.edges.push_back({static_cast<Index>(e.row()), 1.f / e.value()});
-    lengths.first.push_back(lengths.edges.size());
+      lengths.entries.push_back({static_cast<Index>(e.row()), 1.f / e.value()});
+    lengths.end_row();
   }
   return lengths;
 }
@@ -60,6 +59,22 @@ inline std::vector<Index> spread_cells(const Cost_graph& lengths, const std::siz
       if (cells.distance(i) > cells.distance(farthest)) farthest = i;
   }
   return cells.cells();
+}
+
+/// returns the means of the rows of each cluster; of those without any, zero.
+inline Embedding cluster_means(const Embedding& rows, const std::vector<Index>& cluster,
+                               const std::size_t count)
+{
+  Embedding means = Embedding::Zero(static_cast<Eigen::Index>(count), rows.cols());
+  Eigen::VectorXf sizes = Eigen::VectorXf::Zero(means.rows());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+  {
+    const auto c = static_cast<Eigen::Index>(cluster[static_cast<std::size_t>(i)]);
+    means.row(c) += rows.row(i);
+    sizes[c] += 1.f;
+  }
+  means.array().colwise() /= sizes.array().max(1.f);
+  return means;
 }
 
 /// Lloyd's algorithm from given clusters; a node moves only to the cluster of a neighbor.
@@ -88,8 +103,7 @@ inline void move_to_nearest_means(const Cost_graph& graph, const Embedding& rows
         next[i] = c;
       };
       ask(cluster[i]);
-      for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
-        ask(cluster[graph.edges[e].point]);
+      for (const Cost_edge& edge : graph[i]) ask(cluster[edge.point]);
     }
     if (next == cluster) break;
     cluster.swap(next);

@@ -9,8 +9,11 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SPECTRAL_EMBEDDING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SPECTRAL_EMBEDDING_H
 
+// The nodes of a graph in the space of the lowest eigenvectors of its normalized Laplacian (section 4,
+// "Initial patches"), by Spectra.
+
 #include <CGAL/Weakly_convex_segmentation/Convexity_graph.h>
-#include <CGAL/Weakly_convex_segmentation/internal/patches/k_means.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -21,16 +24,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
-
-// The nodes of a graph in the space of the lowest eigenvectors of its normalized Laplacian (section 4,
-// "Initial patches"), by Spectra.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
 using Graph_matrix = Eigen::SparseMatrix<float>;
+/// coordinates of the nodes, a row each
+using Embedding = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// returns the matrix D^-1/2 W D^-1/2 of a graph whose nodes have edges. Its highest eigenvectors are the
 /// lowest ones of the normalized Laplacian; its spectrum lies in [-1, 1].
@@ -61,6 +64,25 @@ struct Eigenvectors
   Eigen::MatrixXf vectors;
 };
 
+/// returns all eigenvectors of a symmetric matrix, their eigenvalues ascending, as
+/// `Eigen::SelfAdjointEigenSolver` does in one step, which takes a compiler four times as long.
+inline Eigenvectors dense_eigenvectors(const Eigen::MatrixXf& matrix)
+{
+  const Eigen::Tridiagonalization<Eigen::MatrixXf> reduced(matrix);
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> solver;
+  solver.computeFromTridiagonal(reduced.diagonal(), reduced.subDiagonal());
+  Eigen::MatrixXf vectors = solver.eigenvectors();
+  Eigen::VectorXf workspace(vectors.cols());
+  for (Eigen::Index k = vectors.rows() - 2; k >= 0; --k)
+  {
+    const Eigen::Index below = vectors.rows() - k - 1;
+    vectors.bottomRows(below).applyHouseholderOnTheLeft(
+        reduced.packedMatrix().col(k).tail(below - 1), reduced.householderCoefficients()[k],
+        workspace.data());
+  }
+  return {solver.eigenvalues(), std::move(vectors)};
+}
+
 /// returns the eigenvectors of the `count` highest eigenvalues by Lanczos iteration in a space of
 /// `lanczos_vectors` dimensions: those of them that converge.
 inline Eigenvectors lanczos_eigenvectors(const Graph_matrix& matrix, const Eigen::Index count,
@@ -85,8 +107,8 @@ inline Eigenvectors highest_eigenvectors(const Graph_matrix& matrix, const Eigen
   const Eigen::Index n = matrix.rows(), lanczos_vectors = 2 * count + 10;
   if (n <= lanczos_vectors)
   {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> solver{Eigen::MatrixXf(matrix)};
-    return {solver.eigenvalues().tail(count), solver.eigenvectors().rightCols(count)};
+    const Eigenvectors all = dense_eigenvectors(Eigen::MatrixXf(matrix));
+    return {all.values.tail(count), all.vectors.rightCols(count)};
   }
   Eigenvectors found = lanczos_eigenvectors(matrix, count, lanczos_vectors);
   if (found.values.size() < count / 4)

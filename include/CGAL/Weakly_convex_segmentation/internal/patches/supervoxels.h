@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SUPERVOXELS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_SUPERVOXELS_H
 
+// Graph-Voronoi cells of well spread seeds: the bounded number of nodes that stand for the points in
+// the spectral clustering of the patches.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Graph_voronoi.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/downsampling.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
@@ -21,9 +24,6 @@
 #include <unordered_set>
 #include <utility>
 #include <vector>
-
-// Graph-Voronoi cells of well spread seeds: the bounded number of nodes that stand for the points in
-// the spectral clustering of the patches.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -56,8 +56,8 @@ public:
 inline Cost_graph cost_graph(const Neighbor_graph& graph, const Geodesic_edge_length& cost)
 {
   Cost_graph costs{graph.first, {}};
-  costs.edges.reserve(graph.neighbors.size());
-  for (const Neighbor& edge : graph.neighbors) costs.edges.push_back({edge.point, cost(edge)});
+  costs.entries.reserve(graph.entries.size());
+  for (const Neighbor& edge : graph.entries) costs.entries.push_back({edge.point, cost(edge)});
   return costs;
 }
 
@@ -85,19 +85,17 @@ inline std::size_t spread_seeds(const Oriented_points& points, const std::size_t
   cells.grow();
 
   // distances only ever fall, so an entry that is still right when it comes up is the largest
+  const auto entry = [&cells](const Index i) { return distance_and_point(cells.distance(i), i); };
   std::vector<std::uint64_t> entries;
-  for (Index i = 0; i < points.size(); ++i)
-    entries.push_back(Graph_voronoi::entry(cells.distance(i), i));
+  for (Index i = 0; i < points.size(); ++i) entries.push_back(entry(i));
   std::priority_queue<std::uint64_t> farthest(std::less<std::uint64_t>(), std::move(entries));
   for (; !farthest.empty(); cells.grow())
   {
     std::uint64_t top = farthest.top();
-    while (top !=
-           Graph_voronoi::entry(cells.distance(static_cast<Index>(top)), static_cast<Index>(top)))
+    while (top != entry(static_cast<Index>(top)))
     {
       farthest.pop();
-      farthest.push(
-          Graph_voronoi::entry(cells.distance(static_cast<Index>(top)), static_cast<Index>(top)));
+      farthest.push(entry(static_cast<Index>(top)));
       top = farthest.top();
     }
     const Index seed = static_cast<Index>(top);

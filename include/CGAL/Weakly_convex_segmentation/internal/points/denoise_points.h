@@ -9,6 +9,10 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_DENOISE_POINTS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_DENOISE_POINTS_H
 
+// Noise looks like concavity everywhere. Where the surface bends one way, all edges of a point are
+// concave or all are convex; noise makes both of every point. That tells it from shape, and a shape
+// without noise is left as it is. The paper is silent on noise in the input.
+
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
 
@@ -17,10 +21,6 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-// Noise looks like concavity everywhere. Where the surface bends one way, all edges of a point are
-// concave or all are convex; noise makes both of every point. That tells it from shape, and a shape
-// without noise is left as it is. The paper is silent on noise in the input.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -122,9 +122,8 @@ inline std::size_t denoise_points(Neighbor_graph& graph, Oriented_points& points
     smooth_once(graph, rough > crumpled ? -2.f : right_angle,
                 rough <= noise_tolerance && contradictory <= 4.f * noise_tolerance, points);
     for (Index i = 0; i < graph.size(); ++i)
-      for (std::size_t e = graph.first[i]; e < graph.first[i + 1]; ++e)
+      for (Neighbor& edge : graph[i])
       {
-        Neighbor& edge = graph.neighbors[e];
         edge.length = length(points.positions[edge.point] - points.positions[i]);
         edge.concavity = signed_concavity(points, i, edge.point);
       }

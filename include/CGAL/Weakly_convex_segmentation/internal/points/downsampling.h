@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_DOWNSAMPLING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_DOWNSAMPLING_H
 
+// Bounded work in the middle: everything that is not linear runs on about a fixed number of
+// representatives, and the labels are carried back to the points.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Symmetric_matrix3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
@@ -22,9 +25,6 @@
 #include <unordered_map>
 #include <utility>
 #include <vector>
-
-// Bounded work in the middle: everything that is not linear runs on about a fixed number of
-// representatives, and the labels are carried back to the points.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -73,7 +73,7 @@ inline std::array<std::size_t, 22> occupied_cells(const Oriented_points& points,
 inline float voxel_side(const Oriented_points& points, const std::size_t count,
                         const bool parallel = false)
 {
-  // ten points in a voxel tell that it is occupied as well as a hundred do
+  // ten points show that a voxel is occupied as well as a hundred do
   const auto cells = occupied_cells(
       points, (std::max)(points.size() / (10 * (std::max)(count, std::size_t(1))), std::size_t(1)),
       parallel);
@@ -129,8 +129,8 @@ inline Representatives represent_groups(const Oriented_points& points,
   return result;
 }
 
-/// thins the points to two representatives a voxel at most, one on either side of the plane that the normals
-/// in the voxel tell: where noise has crumpled the surface its sides are all that they tell.
+/// thins the points to two representatives a voxel at most, one for each side of the surface by the main axis of
+/// the normals in the voxel: where noise has bent the normals at random, they say no more than that.
 ///
 /// Complexity: linear.
 inline Representatives thin_by_sides(const Oriented_points& points, const float side)
@@ -152,7 +152,7 @@ inline Representatives thin_by_sides(const Oriented_points& points, const float 
     if (is_new) voxels.emplace_back();
     of_point[i] = slot->second;
     const Vector3& n = points.normals[i];
-    voxels[slot->second].normals += Symmetric_matrix3(Double3{n.x, n.y, n.z});
+    voxels[slot->second].normals += Symmetric_matrix3(in_double(n));
   }
   for (Voxel& voxel : voxels)
   {
@@ -176,7 +176,7 @@ inline Representatives thin_by_sides(const Oriented_points& points, const float 
   return represent_groups(points, groups, std::move(of_point));
 }
 
-/// returns whether noise has crumpled the surface: only corners and narrow gaps of a shape have points of
+/// returns whether noise has bent the normals at random: only corners and narrow gaps of a shape have points of
 /// three walls in one voxel.
 inline bool has_mixed_orientations(const std::vector<Point_group>& groups,
                                    const std::unordered_map<std::uint64_t, Index>& first_in_voxel)
@@ -194,7 +194,7 @@ inline bool has_mixed_orientations(const std::vector<Point_group>& groups,
 
 /// thins the points to about `count` voxels. Opposite sides of a thin sheet in one voxel stay apart:
 /// points are grouped only with normals within 60 degrees, so that thin parts do not vanish.
-/// `despite_noise`: by sides instead if the surface is crumpled.
+/// `despite_noise`: by sides instead if the normals point anywhere.
 ///
 /// Complexity: linear but for the sort of one integer a point.
 inline Representatives thin_points(const Oriented_points& points, const std::size_t count,

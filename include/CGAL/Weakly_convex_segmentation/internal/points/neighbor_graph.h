@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NEIGHBOR_GRAPH_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NEIGHBOR_GRAPH_H
 
+// The k-nearest-neighbor graph G_K (sections 4 and 5), built once and used by every stage.
+
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Kd_tree.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
@@ -23,8 +26,6 @@
 #include <utility>
 #include <vector>
 
-// The k-nearest-neighbor graph G_K (sections 4 and 5), built once and used by every stage.
-
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
@@ -37,35 +38,17 @@ struct Neighbor
   float concavity; ///< angle between the normals in radians, negative where the edge is convex
 };
 
-/// An undirected graph on the points as an array of rows, each sorted by the neighbor's index.
-struct Neighbor_graph
+/// An undirected graph on the points: a row each, sorted by the neighbor's index.
+struct Neighbor_graph : Compressed_rows<Neighbor>
 {
-  std::vector<std::size_t> first; ///< begin of each point's row in `neighbors`; size n + 1
-  std::vector<Neighbor> neighbors;
   std::vector<float> spacing; ///< mean distance of a point to its k nearest neighbors
-
-  struct Row
-  {
-    const Neighbor *first, *last;
-    const Neighbor* begin() const { return first; }
-    const Neighbor* end() const { return last; }
-    std::size_t size() const { return static_cast<std::size_t>(last - first); }
-  };
-  Row operator[](const std::size_t i) const
-  {
-    return {neighbors.data() + first[i], neighbors.data() + first[i + 1]};
-  }
-  std::size_t size() const { return spacing.size(); }
 };
 
-/// returns the angle between the normals, negative if the edge is convex: concave iff
-/// (n_j - n_i) . (p_j - p_i) < 0, that is iff the normals lean towards each other.
+/// returns the angle between the normals of two points, negative if the edge is convex.
 inline float signed_concavity(const Oriented_points& points, const Index i, const Index j)
 {
-  const Vector3 along = points.positions[j] - points.positions[i];
-  const float turn = dot(points.normals[j] - points.normals[i], along);
-  const float a = angle(points.normals[i], points.normals[j]);
-  return turn < 0.f ? a : -a;
+  return signed_concavity(points.positions[i], points.normals[i], points.positions[j],
+                          points.normals[j]);
 }
 
 /// fills the `k` nearest other points of each point; rows of fewer points end with the point itself.
@@ -109,12 +92,8 @@ inline void fill_missing_normals(Oriented_points& points, const std::vector<Inde
   }
 }
 
-/// The other ends of the edges of each point, as rows in one array.
-struct Neighbor_rows
-{
-  std::vector<std::size_t> first; ///< size n + 1
-  std::vector<Index> ends;
-};
+/// The other ends of the edges of each point.
+using Neighbor_rows = Compressed_rows<Index>;
 
 /// returns who has a point among its nearest, and the ends of its links: of each point, ascending.
 inline Neighbor_rows incoming_neighbors(const std::vector<std::array<Index, 2>>& links,
@@ -125,15 +104,13 @@ inline Neighbor_rows incoming_neighbors(const std::vector<std::array<Index, 2>>&
   rows.first.assign(n + 1, 0);
   for (std::size_t j = 0; j < nearest.size(); ++j) ++rows.first[nearest[j] + 1];
   for (const auto& link : links) ++rows.first[link[0] + 1], ++rows.first[link[1] + 1];
-  for (std::size_t i = 0; i < n; ++i) rows.first[i + 1] += rows.first[i];
-  rows.ends.resize(rows.first[n]);
+  rows.allocate_counted();
   std::vector<std::size_t> fill(rows.first.begin(), rows.first.end() - 1);
   for (std::size_t j = 0; j < nearest.size(); ++j)
-    rows.ends[fill[nearest[j]]++] = static_cast<Index>(j / k);
-  for (const auto& [a, b] : links) rows.ends[fill[a]++] = b, rows.ends[fill[b]++] = a;
+    rows.entries[fill[nearest[j]]++] = static_cast<Index>(j / k);
+  for (const auto& [a, b] : links) rows.entries[fill[a]++] = b, rows.entries[fill[b]++] = a;
   if (!links.empty())
-    for (std::size_t i = 0; i < n; ++i)
-      std::sort(rows.ends.begin() + rows.first[i], rows.ends.begin() + rows.first[i + 1]);
+    for (std::size_t i = 0; i < n; ++i) std::sort(rows[i].begin(), rows[i].end());
   return rows;
 }
 
@@ -146,9 +123,7 @@ void for_each_neighbor(const std::vector<Index>& nearest, const std::size_t k,
   std::copy_n(nearest.begin() + i * k, k, own.begin());
   std::sort(own.begin(), own.begin() + k);
   const Index *out = own.data(), *const last_out = own.data() + k;
-  const Index *in = incoming.ends.data() + incoming.first[i], *const last_in =
-                                                                  incoming.ends.data() +
-                                                                  incoming.first[i + 1];
+  const Index *in = incoming[i].begin(), *const last_in = incoming[i].end();
   Index before = static_cast<Index>(i); // rows of too few points hold the point itself
   while (out != last_out || in != last_in)
   {
@@ -184,13 +159,12 @@ inline Neighbor_graph build_neighbor_graph(Oriented_points& points, const std::s
                  for_each_neighbor(nearest, k, incoming, i, [&count](const Index) { ++count; });
                  graph.first[i + 1] = count;
                });
-  for (std::size_t i = 0; i < n; ++i) graph.first[i + 1] += graph.first[i];
-  graph.neighbors.resize(graph.first[n]);
+  graph.allocate_counted();
   parallel_for(
       n, parallel,
       [&](const std::size_t i)
       {
-        Neighbor* out = graph.neighbors.data() + graph.first[i];
+        Neighbor* out = graph[i].begin();
         for_each_neighbor(
             nearest, k, incoming, i,
             [&](const Index j)

@@ -9,12 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NORMAL_DIRECTION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NORMAL_DIRECTION_H
 
+// Normals that all point inwards turn convex into concave. On a closed surface this can be decided.
+
 #include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
 
 #include <cmath>
 #include <cstddef>
-
-// Normals that all point inwards turn convex into concave. On a closed surface this can be told.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

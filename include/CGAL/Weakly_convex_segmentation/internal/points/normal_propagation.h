@@ -9,7 +9,11 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NORMAL_PROPAGATION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_NORMAL_PROPAGATION_H
 
+// Unoriented normals made consistent along the minimum spanning forest of the nearest neighbors. CGAL's
+// `mst_orient_normals()` takes longer, is right less often, and can't be interrupted: see estimate_normals.h.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
 
@@ -18,61 +22,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
-
-// Unoriented normals made consistent along the minimum spanning forest of the nearest neighbors. CGAL's
-// `mst_orient_normals()` takes longer, is right less often, and can't be interrupted: see estimate_normals.h.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// Disjoint sets of points, and for each point whether its normal is to be turned relative to that of
-/// the first of its set.
-class Parity_disjoint_sets
-{
-  std::vector<Index> m_parent;
-  std::vector<unsigned char> m_is_turned; ///< relative to the parent
-
-public:
-  struct Place
-  {
-    Index set;
-    unsigned char is_turned;
-  };
-
-  explicit Parity_disjoint_sets(const std::size_t n) : m_parent(n), m_is_turned(n, 0)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), Index(0));
-  }
-
-  Place find(Index i)
-  {
-    unsigned char is_turned = 0;
-    while (m_parent[i] != i)
-    {
-      const Index up = m_parent[i];
-      m_is_turned[i] ^= m_is_turned[up]; // of the first of a set it is 0
-      m_parent[i] = m_parent[up];
-      is_turned ^= m_is_turned[i];
-      i = m_parent[i];
-    }
-    return {i, is_turned};
-  }
-
-  /// makes one set of two if `i` and `j` are in different ones.
-  void join(const Index i, const Index j, const bool turn)
-  {
-    const Place a = find(i), b = find(j);
-    if (a.set == b.set) return;
-    // the smaller index comes first: then the outcome is the same however the sets grew
-    const Index first = (std::min)(a.set, b.set), second = (std::max)(a.set, b.set);
-    m_parent[second] = first;
-    m_is_turned[second] = a.is_turned ^ b.is_turned ^ static_cast<unsigned char>(turn);
-  }
-};
 
 /// Points, the mean square of the distances from the plane through each and its neighbors, and these.
 struct Unoriented_points
@@ -162,7 +117,7 @@ inline std::vector<Index> propagate_orientation(const Unoriented_points& shape, 
   return piece;
 }
 
-/// Tells the inside of a piece from its outside.
+/// Decides which side of a piece is its outside.
 class Piece_outside
 {
   /// both ways along the edges, diagonals and space diagonals of a cube
@@ -212,7 +167,7 @@ public:
     ++m_size;
   }
 
-  /// returns whether the normals look inwards. What is nearly closed has a volume that tells; else it
+  /// returns whether the normals look inwards. What is nearly closed has a volume whose sign decides; else it
   /// is asked how steeply they look away from the extreme points. What is flat should look upwards.
   bool is_inside_out(const Oriented_points& points) const
   {

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_ORIENTED_POINTS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_ORIENTED_POINTS_H
 
+// Input of the method (section 3): an oriented point cloud, or a triangle mesh as one oriented point
+// a face (section 6).
+
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
@@ -26,9 +29,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-// Input of the method (section 3): an oriented point cloud, or a triangle mesh as one oriented point
-// a face (section 6).
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -134,7 +134,7 @@ inline std::vector<Index> spatial_order(const Raw_shape& raw, const Frame& frame
 /// The sphere about the centroid that holds all points, within a bounding cube.
 struct Bounding_ball
 {
-  std::array<double, 3> center = {0., 0., 0.};
+  Coordinates center = {0., 0., 0.};
   double radius = 0.;
 };
 
@@ -217,7 +217,7 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
   control.check();
 
   const Bounding_ball ball = bounding_ball(raw.positions, frame, order, cube, parallel);
-  std::array<double, 3> centroid = ball.center;
+  Coordinates centroid = ball.center;
   for (double& c : centroid) c *= cube.unit();
   points.extent = ball.radius > 0. ? 2. * ball.radius * cube.unit() : 1.;
 

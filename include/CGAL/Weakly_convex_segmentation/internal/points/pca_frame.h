@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_PCA_FRAME_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_PCA_FRAME_H
 
+// A frame that turns with the shape, so that all that follows is the same however the shape lies: voxels
+// and the order of the points are along the coordinate axes.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
@@ -25,9 +28,6 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
-
-// A frame that turns with the shape, so that all that follows is the same however the shape lies: voxels
-// and the order of the points are along the coordinate axes.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -188,12 +188,12 @@ inline void choose_signs(const Mean_and_covariance& spread, const std::array<dou
 
 /// returns a rotation that takes no axis near another one. The walls of many shapes are across their
 /// principal axes, and where a plane lies along the faces of voxels chance decides which one has its points.
-inline Eigen::Matrix3d aslant()
+inline Eigen::Matrix3d oblique_rotation()
 {
   return Eigen::AngleAxisd(1., Eigen::Vector3d(1., 2., 3.).normalized()).toRotationMatrix();
 }
 
-/// returns a frame that turns with the points: it is aslant to their principal axes, always in the same
+/// returns a frame that turns with the points: it is oblique to their principal axes, always in the same
 /// way. Where two of the principal moments are equal, as those of a vase, any axes across the third may be
 /// meant, and rounding decides.
 ///
@@ -219,7 +219,7 @@ inline Frame pca_frame(const std::vector<Coordinates>& positions, const bool par
                              return {v[0] * v[0] * v[0], v[1] * v[1] * v[1], v[2] * v[2] * v[2]};
                            });
   choose_signs(spread, third, axes);
-  axes *= aslant();
+  axes *= oblique_rotation();
   Frame frame;
   for (int k = 0; k < 3; ++k)
     frame.axes[static_cast<std::size_t>(k)] = {axes(0, k), axes(1, k), axes(2, k)};

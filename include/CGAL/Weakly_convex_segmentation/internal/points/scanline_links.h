@@ -9,6 +9,10 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_SCANLINE_LINKS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_POINTS_SCANLINE_LINKS_H
 
+// Laser scanners measure along lines, and the faces of a turned part lie in rings: all nearest neighbors
+// of a point can be on its own line or stripe, and the shape falls apart into lines. Such a point is
+// linked to what lies beside its line too. The paper's scans have no such lines.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Kd_tree.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
@@ -20,10 +24,6 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-// Laser scanners measure along lines, and the faces of a turned part lie in rings: all nearest neighbors
-// of a point can be on its own line or stripe, and the shape falls apart into lines. Such a point is
-// linked to what lies beside its line too. The paper's scans have no such lines.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

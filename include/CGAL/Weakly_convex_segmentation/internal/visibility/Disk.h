@@ -9,12 +9,11 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_DISK_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_DISK_H
 
+// Points as oriented disks and lines between them (section 3, "Weakly-convex parts").
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 
 #include <cmath>
-#include <limits>
-
-// Points as oriented disks and lines between them (section 3, "Weakly-convex parts").
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -44,28 +43,6 @@ struct Line_of_sight
     reciprocal = {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
   }
 };
-
-/// returns where the line crosses the disk, as a factor of its direction; infinity if it does not, or
-/// if the disk's center is within `clearance` radii of an end: the ends lie on the surface, and disks
-/// there would hide every point behind its own neighborhood. Nor does a line count that grazes the
-/// disk: the sine of the angle between them is under `least_sine`.
-inline float crossing(const Line_of_sight& line, const Disk& disk, const float clearance,
-                      const float least_sine = 0.f)
-{
-  constexpr float none = (std::numeric_limits<float>::max)();
-  const float slope = dot(disk.normal, line.direction);
-  if (slope == 0.f) return none;
-  if (slope * slope < least_sine * least_sine * squared_length(line.direction)) return none;
-  const Vector3 to_center = disk.center - line.source;
-  const float t = dot(disk.normal, to_center) / slope;
-  if (!(t > 0.f && t < line.limit)) return none;
-  const float r2 = disk.radius * disk.radius;
-  if (squared_length(t * line.direction - to_center) > r2) return none;
-  const float cleared = clearance * clearance * r2;
-  if (squared_length(to_center) < cleared) return none;
-  if (squared_length(to_center - line.direction) < cleared) return none;
-  return t;
-}
 
 } // namespace internal
 } // namespace Weakly_convex_segmentation

@@ -9,6 +9,9 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_DISK_GROUP_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_DISK_GROUP_H
 
+// The primitive of the AABB tree of disks: four disks that lie together, so that a line of sight is
+// tested against all of them at once. A primitive of one disk takes 1.13 times as long for a whole run.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Float4.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Disk.h>
@@ -20,9 +23,6 @@
 #include <cstdint>
 #include <limits>
 #include <vector>
-
-// The primitive of the AABB tree of disks: four disks that lie together, so that a line of sight is
-// tested against all of them at once. A primitive of one disk takes 1.13 times as long for a whole run.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -128,7 +128,9 @@ public:
         normals.push_back({m_normal[0][k], m_normal[1][k], m_normal[2][k]});
   }
 
-  /// returns whether one of the disks hides the end of the line, see `crossing()`.
+  /// returns whether one of the disks hides the end of the line. A disk does not if its center is within the
+  /// clearance of an end: the ends lie on the surface, and disks there would hide every point behind its
+  /// own neighborhood. Nor does one that the line grazes.
   bool occludes(const Disk_query& query) const
   {
     Float4 slope, margin;
@@ -158,8 +160,8 @@ public:
   }
 
 private:
-  /// returns what `crossing()` does as positions along the line, and a margin that is negative where
-  /// there is no crossing.
+  /// returns where the line crosses the disks' planes, as factors of its direction, and a margin that is
+  /// negative where it misses the disk or an end is too near.
   Float4 crossings(const Disk_query& query, Float4& slope, Float4& margin) const
   {
     const Line_of_sight& line = query.line;

@@ -9,6 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_DISK_TREE_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_DISK_TREE_H
 
+// Every point as an oriented disk (section 3, "Weakly-convex parts"), in CGAL's AABB tree: its build and
+// its traversals, with traits of our own for groups of disks.
+//
+// A node's box also bounds the normals below it: along a wire or a flat sheet a line grazes thousands of
+// disks, of which it meets none.
+
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Disk_group.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Slope_bound.h>
 
@@ -23,12 +29,6 @@
 #include <numeric>
 #include <utility>
 #include <vector>
-
-// Every point as an oriented disk (section 3, "Weakly-convex parts"), in CGAL's AABB tree: its build and
-// its traversals, with traits of our own for groups of disks.
-//
-// A node's box also bounds the normals below it: along a wire or a flat sheet a line grazes thousands of
-// disks, of which it meets none.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,14 +9,14 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_LINE_OF_SIGHT_FUNCTIONS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_LINE_OF_SIGHT_FUNCTIONS_H
 
+// A line of sight of the caller's own, in place of the disks: the core knows no kernel.
+
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 
 #include <CGAL/number_utils.h>
 
 #include <functional>
 #include <memory>
-
-// A line of sight of the caller's own, in place of the disks: the core knows no kernel.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {

@@ -9,6 +9,11 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_LINE_OF_SIGHT_QUERY_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_LINE_OF_SIGHT_QUERY_H
 
+// Lines of sight between points (section 3): against the disks of the points, or what the caller has.
+//
+// The paper is silent on how near the ends of a line the disks begin to occlude, see make_disk_tree(), and on
+// whether a line that passes outside of the shape, over a gap, counts: it does.
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Kd_tree.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
@@ -19,11 +24,6 @@
 #include <cstddef>
 #include <memory>
 #include <vector>
-
-// Lines of sight between points (section 3): against the disks of the points, or what the caller has.
-//
-// The paper is silent on how near the ends of a line the disks begin to occlude, see make_disk_tree(), and on
-// whether a line that passes outside of the shape, over a gap, counts: it does.
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -66,41 +66,60 @@ public:
   }
 
   const Oriented_points& points() const { return m_points; }
-  const Disk_tree& tree() const { return m_tree; }
 
   /// returns whether nothing is in the way of the segment from `i` to `j`.
   bool sees(const Index i, const Index j) const
   {
-    Disk_tree::Hint hint = Disk_tree::no_hint;
+    Hint hint = {};
     return sees(i, j, hint);
-  }
-  /// the same for one of many lines between the same parts, see `Disk_tree::unoccluded()`
-  bool sees(const Index i, const Index j, Disk_tree::Hint& hint) const
-  {
-    return i == j || is_free(i, j, hint);
   }
 
   /// the same for segments that leave the surface inwards at both ends, up to a tolerance in degrees
   bool sees_inside(const Index i, const Index j, const double tolerance) const
   {
-    Disk_tree::Hint hint = Disk_tree::no_hint;
-    return i == j || (is_within(i, j, std::sin(radians(tolerance))) && is_free(i, j, hint));
+    Hint hint = {};
+    return i == j || (is_within(i, j, std::sin(radians(tolerance))) &&
+                      is_free(m_points.positions[i], m_points.positions[j], hint));
   }
 
-  /// returns where a ray from a point along a unit vector first leaves the shape.
+  /// returns whether nothing is between two places, which need not be points of the shape.
+  bool is_free(const Vector3& p, const Vector3& q) const
+  {
+    Hint hint = {};
+    return is_free(p, q, hint);
+  }
+
+  /// returns where a ray from a place along a unit vector first leaves the shape.
+  Ray_hit exit(const Vector3& p, const Vector3& direction) const
+  {
+    if (!m_own.sees) return m_tree.first_exit(p, direction, 1.f);
+    return hit_of_own(p, direction, m_own.distance_to_exit);
+  }
   Ray_hit exit(const Index i, const Vector3& direction) const
   {
-    if (!m_own.sees) return m_tree.first_exit(m_points.positions[i], direction, 1.f);
-    return hit_of_own(i, direction, m_own.distance_to_exit);
+    return exit(m_points.positions[i], direction);
   }
   /// returns where it first enters the shape, from outside.
+  Ray_hit entry(const Vector3& p, const Vector3& direction) const
+  {
+    if (!m_own.sees) return m_tree.first_entry(p, direction, 1.f);
+    return hit_of_own(p, direction, m_own.distance_to_entry);
+  }
   Ray_hit entry(const Index i, const Vector3& direction) const
   {
-    if (!m_own.sees) return m_tree.first_entry(m_points.positions[i], direction, 1.f);
-    return hit_of_own(i, direction, m_own.distance_to_entry);
+    return entry(m_points.positions[i], direction);
   }
 
 private:
+  friend class
+      Patch_visibility; // casts many lines between the same parts: what hid one may hide the next
+  using Hint = Disk_tree::Hint;
+
+  bool sees(const Index i, const Index j, Hint& hint) const
+  {
+    return i == j || is_free(m_points.positions[i], m_points.positions[j], hint);
+  }
+
   bool is_within(const Index i, const Index j, const float slope) const
   {
     const Vector3 direction = m_points.positions[j] - m_points.positions[i];
@@ -109,18 +128,16 @@ private:
            -dot(m_points.normals[j], direction) <= highest;
   }
 
-  bool is_free(const Index i, const Index j, Disk_tree::Hint& hint) const
+  bool is_free(const Vector3& p, const Vector3& q, Hint& hint) const
   {
-    const Vector3 &p = m_points.positions[i], &q = m_points.positions[j];
     if (!m_own.sees) return m_tree.unoccluded(p, q, hint);
     return m_own.sees(m_points.placement.position(p), m_points.placement.position(q));
   }
 
   /// returns the point that is nearest to where the caller's surface is met, within the extent.
   template <typename Distance>
-  Ray_hit hit_of_own(const Index i, const Vector3& direction, const Distance& distance_of) const
+  Ray_hit hit_of_own(const Vector3& p, const Vector3& direction, const Distance& distance_of) const
   {
-    const Vector3& p = m_points.positions[i];
     const double distance =
         distance_of(m_points.placement.position(p), m_points.placement.direction(direction)) /
         m_points.extent;

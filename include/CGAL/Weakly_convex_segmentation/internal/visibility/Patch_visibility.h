@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_PATCH_VISIBILITY_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_VISIBILITY_PATCH_VISIBILITY_H
 
+// Mutual visibility of patches (section 4), and the convexity rank (section 3, equation 1).
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
@@ -17,11 +19,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 #include <vector>
-
-// Mutual visibility of patches (section 4), and the convexity rank (section 3, equation 1).
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -68,9 +69,6 @@ public:
   /// takes a ratio that was computed before.
   void remember(const int a, const int b, const float ratio) { m_known[key(a, b)] = ratio; }
 
-  /// number of pairs of patches that were asked for so far
-  std::size_t known_pairs() const { return m_known.size(); }
-
 private:
   static std::uint64_t key(const int a, const int b)
   {
@@ -85,10 +83,10 @@ private:
     const std::vector<Index>&from = m_samples[a], &to = m_samples[b];
     const std::size_t rays = from.size() * to.size();
     std::size_t stride = rays * 5 / 8 + 1;
-    while (common_divisor(stride, rays) != 1) ++stride;
+    while (std::gcd(stride, rays) != 1) ++stride;
     constexpr std::size_t early = 2; // rays that decide a pair if they agree
     std::size_t free = 0, ray = 0;
-    Disk_tree::Hint occluder = Disk_tree::no_hint; // it often hides the next points too
+    Line_of_sight_query::Hint occluder = {}; // it often hides the next points too
     const std::size_t most = m_most > 0 ? (std::min)(m_most, rays) : rays;
     for (std::size_t i = 0; i < most; ++i, ray = (ray + stride) % rays)
     {
@@ -97,12 +95,6 @@ private:
         return free == 0 ? 0.f : 1.f;
     }
     return static_cast<float>(free) / static_cast<float>(most);
-  }
-
-  static std::size_t common_divisor(std::size_t a, std::size_t b)
-  {
-    while (b != 0) a = std::exchange(b, a % b);
-    return a;
   }
 
   const Line_of_sight_query& m_sight;

@@ -6,10 +6,12 @@
 //
 // Author(s)     : The Weakly_convex_segmentation authors
 
-#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_K_MEANS_H
-#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_K_MEANS_H
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_K_MEANS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_K_MEANS_H
 
-#include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
+// k-means of the rows of a matrix, from centers far from each other.
+
+#include <CGAL/Weakly_convex_segmentation/internal/patches/spectral_embedding.h>
 
 #include <Eigen/Core>
 
@@ -19,13 +21,9 @@
 #include <random>
 #include <vector>
 
-// k-means of the rows of a matrix, from centers far from each other.
-
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-using Embedding = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// returns a number in [0, 1) that is the same with every standard library.
 inline double unit_random(std::mt19937& random)
@@ -61,22 +59,6 @@ inline Embedding spread_centers(const Embedding& rows, const std::size_t count,
       }
   }
   return centers;
-}
-
-/// returns the means of the rows of each cluster; of those without any, zero.
-inline Embedding cluster_means(const Embedding& rows, const std::vector<Index>& cluster,
-                               const std::size_t count)
-{
-  Embedding means = Embedding::Zero(static_cast<Eigen::Index>(count), rows.cols());
-  Eigen::VectorXf sizes = Eigen::VectorXf::Zero(means.rows());
-  for (Eigen::Index i = 0; i < rows.rows(); ++i)
-  {
-    const auto c = static_cast<Eigen::Index>(cluster[static_cast<std::size_t>(i)]);
-    means.row(c) += rows.row(i);
-    sizes[c] += 1.f;
-  }
-  means.array().colwise() /= sizes.array().max(1.f);
-  return means;
 }
 
 /// Lloyd's algorithm; returns the cluster of each row.
@@ -120,4 +102,4 @@ inline std::vector<Index> k_means(const Embedding& rows, const std::size_t count
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL
 
-#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_PATCHES_K_MEANS_H
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_K_MEANS_H

@@ -7,7 +7,7 @@
 // Author(s)     : The Weakly_convex_segmentation authors
 
 // List of the named parameters of this package, in the form of CGAL's own list: tag, (unused), name.
-// It is included more than once, with a meaning of the macro each time, see set_parameter.h: no guard.
+// It is included more than once, with a meaning of the macro each time, see named_parameters.h: no guard.
 
 // clang-format off
 CGAL_add_named_parameter(segmentation_parameters_t, segmentation_parameters, segmentation_parameters)
