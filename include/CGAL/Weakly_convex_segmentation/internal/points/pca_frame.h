@@ -12,13 +12,13 @@
 // A frame that turns with the shape, so that all that follows is the same however the shape lies: voxels
 // and the order of the points are along the coordinate axes.
 
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Symmetric_matrix3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -141,56 +141,83 @@ std::array<double, N> sums_in_any_order(const std::size_t n, const bool parallel
 /// The mean of points and their covariance matrix, in a cube of side 1.
 struct Mean_and_covariance
 {
-  Eigen::Vector3d mean;
-  Eigen::Matrix3d covariance;
+  Double3 mean;
+  Symmetric_matrix3 covariance;
 };
 
 /// measures `n` points, `point(i)` with coordinates in `[0, 1]`.
 template <typename Point>
 Mean_and_covariance measure_spread(const std::size_t n, const bool parallel, const Point& point)
 {
-  const std::array<double, 9> sums = sums_in_any_order<9>(
-      n, parallel,
-      [&](const std::size_t i) -> std::array<double, 9>
-      {
-        const Eigen::Vector3d v = point(i);
-        return {v[0],        v[1],        v[2],        v[0] * v[0], v[1] * v[0],
-                v[2] * v[0], v[1] * v[1], v[2] * v[1], v[2] * v[2]};
-      });
+  const std::array<double, 9> sums =
+      sums_in_any_order<9>(n, parallel,
+                           [&](const std::size_t i) -> std::array<double, 9>
+                           {
+                             const Double3 v = point(i);
+                             const Symmetric_matrix3 squares(v);
+                             return {v.x,
+                                     v.y,
+                                     v.z,
+                                     squares.diagonal.x,
+                                     squares.diagonal.y,
+                                     squares.diagonal.z,
+                                     squares.off.x,
+                                     squares.off.y,
+                                     squares.off.z};
+                           });
   const auto count = static_cast<double>(n);
-  Mean_and_covariance spread;
-  spread.mean = Eigen::Vector3d(sums[0], sums[1], sums[2]) / count;
-  spread.covariance << sums[3], sums[4], sums[5], sums[4], sums[6], sums[7], sums[5], sums[7],
-      sums[8];
-  spread.covariance = spread.covariance / count - spread.mean * spread.mean.transpose();
-  return spread;
+  const Double3 mean = Double3{sums[0], sums[1], sums[2]} / count;
+  const Symmetric_matrix3 squares({sums[3], sums[4], sums[5]}, {sums[6], sums[7], sums[8]});
+  return {mean, squares / count - Symmetric_matrix3(mean)};
 }
 
-/// turns axes, the columns, to where the points reach farther, as far as a rotation allows: of the three
-/// signs, that of the most even axis follows from the others. `third`: the third moments along the axes.
-inline void choose_signs(const Mean_and_covariance& spread, const std::array<double, 3>& third,
-                         Eigen::Matrix3d& axes)
+/// returns the eigenvectors of a symmetric matrix by growing eigenvalues. They are iterated: where two
+/// eigenvalues are nearly equal, the closed form of `Principal_axes` is less exact.
+inline std::array<Double3, 3> eigenvectors(const Symmetric_matrix3& m)
 {
-  int evenest = 0;
+  Eigen::Matrix3d matrix;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) matrix(r, c) = m.column(c)[r];
+  const Eigen::Matrix3d vectors =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvectors();
+  std::array<Double3, 3> axes;
+  for (int c = 0; c < 3; ++c)
+    axes[static_cast<std::size_t>(c)] = {vectors(0, c), vectors(1, c), vectors(2, c)};
+  return axes;
+}
+
+/// turns axes to where the points reach farther, as far as a rotation allows: of the three signs, that of the
+/// most even axis follows from the others. `third`: the third moments along the axes.
+inline void choose_signs(const Mean_and_covariance& spread, const std::array<double, 3>& third,
+                         std::array<Double3, 3>& axes)
+{
+  std::size_t evenest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    const double moment = third[static_cast<std::size_t>(k)];
-    if (moment < 0.) axes.col(k) *= -1.;
-    const double variance = axes.col(k).dot(spread.covariance * axes.col(k));
-    const double skew = variance > 0. ? std::abs(moment) / std::pow(variance, 1.5) : 0.;
+    if (third[k] < 0.) axes[k] = -1. * axes[k];
+    const double variance = spread.covariance.form(axes[k]);
+    const double skew = variance > 0. ? std::abs(third[k]) / std::pow(variance, 1.5) : 0.;
     if (skew >= least) continue;
     least = skew;
     evenest = k;
   }
-  if (axes.determinant() < 0.) axes.col(evenest) *= -1.;
+  if (dot(cross(axes[0], axes[1]), axes[2]) < 0.) axes[evenest] = -1. * axes[evenest];
 }
 
-/// returns a rotation that takes no axis near another one. The walls of many shapes are across their
-/// principal axes, and where a plane lies along the faces of voxels chance decides which one has its points.
-inline Eigen::Matrix3d oblique_rotation()
+/// returns three axes after a rotation in their own frame that takes none near another one: by one radian
+/// about (1, 2, 3). The walls of many shapes are across their principal axes, and where a plane lies along
+/// the faces of voxels chance decides which one has its points.
+inline std::array<Double3, 3> turned_obliquely(const std::array<Double3, 3>& axes)
 {
-  return Eigen::AngleAxisd(1., Eigen::Vector3d(1., 2., 3.).normalized()).toRotationMatrix();
+  constexpr std::array<Double3, 3> columns = {
+      {{0.57313785544898688, 0.74034884046078198, -0.35127851212351696},
+       {-0.60900664213739331, 0.67164450419152844, 0.42190587791811218},
+       {0.54829180960859991, -0.027879282947946255, 0.83582225209576422}}};
+  std::array<Double3, 3> result;
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = columns[k].x * axes[0] + (columns[k].y * axes[1] + columns[k].z * axes[2]);
+  return result;
 }
 
 /// returns a frame that turns with the points: it is oblique to their principal axes, always in the same
@@ -201,29 +228,29 @@ inline Eigen::Matrix3d oblique_rotation()
 inline Frame pca_frame(const std::vector<Coordinates>& positions, const bool parallel)
 {
   const Bounding_cube cube = bounding_cube(positions, Frame(), parallel);
-  const auto point = [&](const std::size_t i)
+  const auto point = [&](const std::size_t i) -> Double3
   {
     const Coordinates p = cube.within(positions[i]);
-    return Eigen::Vector3d(p[0], p[1], p[2]);
+    return {p[0], p[1], p[2]};
   };
   const Mean_and_covariance spread = measure_spread(positions.size(), parallel, point);
-  Eigen::Matrix3d axes =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread.covariance).eigenvectors();
+  std::array<Double3, 3> axes = eigenvectors(spread.covariance);
   const std::array<double, 3> third =
       sums_in_any_order<3>(positions.size(), parallel,
                            [&](const std::size_t i) -> std::array<double, 3>
                            {
                              // half, as no point is farther from the mean than the diagonal of the cube is long
-                             const Eigen::Array3d v =
-                                 0.5 * (axes.transpose() * (point(i) - spread.mean)).array();
-                             return {v[0] * v[0] * v[0], v[1] * v[1] * v[1], v[2] * v[2] * v[2]};
+                             const Double3 v = point(i) - spread.mean;
+                             std::array<double, 3> cubes;
+                             for (std::size_t k = 0; k < 3; ++k)
+                             {
+                               const double along = 0.5 * dot(axes[k], v);
+                               cubes[k] = along * along * along;
+                             }
+                             return cubes;
                            });
   choose_signs(spread, third, axes);
-  axes *= oblique_rotation();
-  Frame frame;
-  for (int k = 0; k < 3; ++k)
-    frame.axes[static_cast<std::size_t>(k)] = {axes(0, k), axes(1, k), axes(2, k)};
-  return frame;
+  return {turned_obliquely(axes)};
 }
 
 } // namespace internal
