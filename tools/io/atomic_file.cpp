@@ -19,7 +19,7 @@ namespace Shape_io {
 
 namespace {
 
-// Follows links, also to what is not there yet. Of links in a circle one is returned.
+// Follows links, also to what is not there yet. If links form a circle, one of them is returned.
 std::filesystem::path without_links(std::filesystem::path path)
 {
   constexpr int most_links = 40;
@@ -31,6 +31,8 @@ std::filesystem::path without_links(std::filesystem::path path)
 
 } // namespace
 
+namespace internal {
+
 std::filesystem::path place_of_file(const std::string& path)
 {
   std::error_code error;
@@ -38,6 +40,8 @@ std::filesystem::path place_of_file(const std::string& path)
   const std::filesystem::path place = std::filesystem::weakly_canonical(absolute, error);
   return error ? absolute : place;
 }
+
+} // namespace internal
 
 void check_output_places(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& inputs)

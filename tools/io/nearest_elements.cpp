@@ -95,7 +95,7 @@ private:
   CGAL::AABB_tree<Traits> m_tree;
 };
 
-// Nearest by distance to the points, of those at hand the first whose normal does not point away: the
+// Nearest by distance to the points, of the nearest few the first whose normal does not point away: the
 // other side of a thin wall may be nearer.
 class Nearest_point
 {

@@ -36,7 +36,7 @@ double smallest_difference(const Color& color, const std::vector<Color>& others)
   return result;
 }
 
-// The color of a part that is told apart from those around it: the first in the palette, from a
+// A color for a part that differs clearly from those around it: the first in the palette, from a
 // place that depends on the label, or the most different one if all are near to another.
 Color choose_color(const std::size_t label, const std::vector<Color>& around)
 {

@@ -54,7 +54,7 @@ public:
   // length from asking for all the memory there is.
   std::size_t list_size(Ply_type type);
 
-  // Throws if there are more numbers in a text: the elements are more than the header tells, or their
+  // Throws if there are more numbers in a text: the elements are more than the header says, or their
   // lines have more columns, and then all were read in the wrong places. Binary files may be padded.
   void check_end() const;
 

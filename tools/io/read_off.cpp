@@ -78,8 +78,8 @@ std::vector<std::size_t> off_counts(Text_lines& lines, const std::size_t most)
   return counts;
 }
 
-// Three more numbers behind a point are its normal if the signature tells so; in a cloud also if it
-// tells of nothing.
+// Three more numbers behind a point are its normal if the signature says so; in a cloud also if it
+// says nothing.
 void read_off_points(Text_lines& lines, const std::size_t count, const bool may_have_normals,
                      Shape& shape)
 {

@@ -10,7 +10,7 @@
 
 // OFF with colors, normals and comments, as a mesh or a cloud. Not with CGAL's reader: that of 5.5.1
 // and 6.0.1 crashes on colors below 0, takes a negative number of corners for a huge one, and asks for memory
-// for as many points as the header tells of (test_cgal_faults).
+// for as many points as the header claims (test_cgal_faults).
 
 namespace Shape_io {
 namespace internal {

@@ -11,7 +11,7 @@
 
 // PLY, ASCII and both binaries. Not with CGAL's reader of soups: that of 5.5.1 and 6.0.1 crashes on integer
 // coordinates, takes a missing coordinate for 0, refuses corners of 16 bits, asks for as much memory as a
-// broken list tells of, and has no place for normals and further properties (test_cgal_faults).
+// broken list claims, and has no place for normals and further properties (test_cgal_faults).
 
 namespace Shape_io {
 namespace internal {

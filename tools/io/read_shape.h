@@ -27,7 +27,7 @@ void drop_missing_normals(Shape& shape);
 
 } // namespace internal
 
-// Reads the shape in the file; the extension tells the format, in capitals or not. A file with
+// Reads the shape in the file; the extension, in capitals or not, determines the format. A file with
 // faces is a mesh, one without is a cloud. The name "-" is standard input, whose format shows in its
 // first bytes.
 // Throws File_error with one line that names the file, what is wrong, and what to do.

@@ -59,7 +59,7 @@ private:
 
 constexpr std::size_t stl_header_size = 84, stl_triangle_size = 50;
 
-// The number of triangles that a binary file tells of.
+// The number of triangles that the header of a binary file gives.
 std::size_t stl_count(const std::string& bytes)
 {
   Ply_cursor cursor(bytes, stl_header_size - 4, Ply_format::LITTLE_ENDIAN_BINARY);

@@ -77,7 +77,7 @@ Number_table read_number_table(const std::string& text)
     is_first = false;
   }
   const std::size_t rows = table.columns.empty() ? 0 : table.columns[0].size();
-  // names may hold blanks themselves, and can't be told from each other then
+  // names may contain blanks, and can't be separated then
   if (table.names.size() != table.columns.size()) table.names.clear();
   if (rows > 0 && table.columns.size() < 3)
     throw std::runtime_error("it is no XYZ or PWN file, whose lines have three numbers or more; "

@@ -18,7 +18,7 @@ namespace Shape_io {
 std::vector<std::vector<std::size_t>> elements_of_parts(const std::vector<int>& labels,
                                                         std::size_t number_of_parts);
 
-// The shape of some of the elements, with all that the file told of them. The points of a mesh keep
+// The shape of some of the elements, with all properties that the file has of them. The points of a mesh keep
 // their order; those that none of the faces has are left out.
 Shape shape_of_elements(const Shape& shape, const std::vector<std::size_t>& elements);
 

@@ -24,7 +24,7 @@ enum class Encoding
   ASCII
 };
 
-// A line of the header by which our own files can be told from others.
+// A line of the header that marks our own files.
 constexpr const char* comment_of_parts = "parts of a weakly convex segmentation";
 
 // What is known of the parts.

@@ -47,7 +47,7 @@ bool is_obj_file(const std::string& path);
 
 } // namespace internal
 
-// Throws std::invalid_argument for anything wrong, with one line that tells what.
+// Throws std::invalid_argument for anything wrong, with one line that says what.
 Options read_options(int argc, const char* const argv[]);
 
 void print_help(std::ostream& out);

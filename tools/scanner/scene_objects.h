@@ -27,7 +27,7 @@ using Vector = Kernel::Vector_3;
 
 using Oriented = std::pair<Point, Vector>;
 
-// A preset for one view of a depth camera: its errors, of some millimeters, are large beside the distance between
+// A preset for one view of a depth camera: its errors, of some millimeters, are large compared with the distance between
 // points, so lines over a flat face cross its disks at steeper angles than the preset allows for.
 WCS::Parameters with_depth_noise(WCS::Parameters preset);
 
