@@ -50,11 +50,8 @@ inline Point normalized(const Point& a)
 
 // std::array's operators are not found by argument lookup
 using internal::operator+;
-
 using internal::operator-;
-
 using internal::operator*;
-
 using internal::dot;
 
 // A raster of points; some pixels are not known.

@@ -18,13 +18,9 @@
 namespace Scene_objects {
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
-
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 using Point = Kernel::Point_3;
-
 using Vector = Kernel::Vector_3;
-
 using Oriented = std::pair<Point, Vector>;
 
 // A preset for one view of a depth camera: its errors, of some millimeters, are large compared with the distance between

@@ -25,14 +25,14 @@ using Catalog = std::vector<std::pair<std::string, Implicit_shape (*)()>>;
 const Catalog& catalog()
 {
   static const Catalog result = {{"sphere", sphere},     {"box", box},
-                                   {"torus", torus},       {"thin_plate", thin_plate},
-                                   {"l_shape", l_shape},   {"two_spheres", two_spheres},
-                                   {"dumbbell", dumbbell}, {"cup", cup},
-                                   {"table", table},       {"chair", chair},
-                                   {"figure", figure},     {"four_leg", four_leg},
-                                   {"airplane", airplane}, {"octopus", octopus},
-                                   {"hand", hand},         {"ant", ant},
-                                   {"pliers", pliers},     {"glasses", glasses}};
+                                 {"torus", torus},       {"thin_plate", thin_plate},
+                                 {"l_shape", l_shape},   {"two_spheres", two_spheres},
+                                 {"dumbbell", dumbbell}, {"cup", cup},
+                                 {"table", table},       {"chair", chair},
+                                 {"figure", figure},     {"four_leg", four_leg},
+                                 {"airplane", airplane}, {"octopus", octopus},
+                                 {"hand", hand},         {"ant", ant},
+                                 {"pliers", pliers},     {"glasses", glasses}};
   return result;
 }
 
