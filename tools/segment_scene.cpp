@@ -39,8 +39,8 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
   po::options_description visible("segment_scene SCENE.ply [options]\n"
                                   "finds the objects on a table, and their parts\nOptions");
   visible.add_options()("help", "print this")(
-      "output,o", po::value(&files.parts), "coloured scene (PLY)")("stats", po::value(&files.stats),
-                                                                   "numbers of the objects (JSON)")(
+      "output,o", po::value(&files.parts), "colored scene (PLY)")("stats", po::value(&files.stats),
+                                                                  "numbers of the objects (JSON)")(
       "viewpoint", po::value(&viewpoint)->multitoken(), "x y z of the sensor, 0 0 0 by default")(
       "cell", po::value(&options.cell)->default_value(options.cell), "thinning, in scene units")(
       "plane-distance", po::value(&options.plane_distance)->default_value(options.plane_distance),

@@ -200,7 +200,7 @@ Row run_model(const int number, const Options& options)
   row.faces = model.mesh.faces.size();
   if (options.people)
   {
-    row.scores = SM::score_people(model);
+    row.scores = SM::score_annotators(model);
     return row;
   }
   Stage_clock clock;
@@ -213,7 +213,7 @@ Row run_model(const int number, const Options& options)
   row.patches = result.merge_tree.number_of_patches();
   row.components = result.number_of_components;
   const std::vector<int> labels = result.labels_at(options.level);
-  row.scores = SM::score_against_humans(model, labels);
+  row.scores = SM::score_against_annotators(model, labels);
   if (!options.seg_directory.empty())
   {
     std::ofstream out(options.seg_directory / (std::to_string(number) + ".seg"));

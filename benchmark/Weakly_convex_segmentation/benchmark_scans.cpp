@@ -111,7 +111,7 @@ public:
     m_rows.push_back({m_model.number, m_name, method, labels.size(), distinct.size(),
                       SC::rand_error(m_model, m_scan, labels), seconds, failure});
   }
-  /// returns the labels; one segment where the method fails, which is told in the row.
+  /// returns the labels; one segment where the method fails, which the row says.
   std::vector<int> run(const Method& method, const Options& options)
   {
     const auto begin = std::chrono::steady_clock::now();

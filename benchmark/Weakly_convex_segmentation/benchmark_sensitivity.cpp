@@ -106,9 +106,9 @@ private:
     prepared.labels.assign(result.labels.begin(), result.labels.end());
     prepared.number_of_segments = result.number_of_segments();
     double sum = 0.;
-    for (const auto& human : m_model.humans)
-      sum += SM::rand_error(SM::make_contingency_table(m_model.geometry, prepared, human));
-    return sum / static_cast<double>(m_model.humans.size());
+    for (const auto& annotator : m_model.annotators)
+      sum += SM::rand_error(SM::make_contingency_table(m_model.geometry, prepared, annotator));
+    return sum / static_cast<double>(m_model.annotators.size());
   }
 
   const SM::Benchmark_model& m_model;

@@ -3,7 +3,7 @@
 
 // One model of the Princeton Segmentation Benchmark, all methods: their scores against people, the
 // number and convexity of the parts, time and memory, as one JSON file. A method that fails or takes too
-// long is told of in it and does not stop the others. Models are independent of each other: any tool
+// long is reported in it and does not stop the others. Models are independent of each other: any tool
 // that starts programs can run many at once, on one machine or on many.
 
 #include "baselines/compared_methods.h"
@@ -155,14 +155,14 @@ const SM::Prepared_segmentation& typical_person(const SM::Benchmark_model& model
 {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < model.humans.size(); ++i)
+  for (std::size_t i = 0; i < model.annotators.size(); ++i)
   {
     double sum = 0.;
-    for (const auto& other : model.humans)
-      sum += SM::rand_error(SM::make_contingency_table(model.geometry, model.humans[i], other));
+    for (const auto& other : model.annotators)
+      sum += SM::rand_error(SM::make_contingency_table(model.geometry, model.annotators[i], other));
     if (sum < least) least = sum, best = i;
   }
-  return model.humans[best];
+  return model.annotators[best];
 }
 
 /// gives each of our parts the number of the person's part that it covers most of, if that is still
@@ -226,7 +226,8 @@ void score_methods(const Options& options, const SM::Benchmark_model& model,
     Json& outcome = outcomes[labeling.method];
     const SM::Prepared_segmentation prepared = SM::prepare(model.geometry, labeling.labels);
     SM::Mean_scores mean;
-    for (const auto& human : model.humans) mean.add(SM::score(model.geometry, prepared, human));
+    for (const auto& annotator : model.annotators)
+      mean.add(SM::score(model.geometry, prepared, annotator));
     outcome.update(scores_as_json(mean.mean()));
     outcome["convexity_rank"] = ranks.mean(prepared.labels);
     if (!options.pictures.empty() && labeling.method == "default")
@@ -234,12 +235,12 @@ void score_methods(const Options& options, const SM::Benchmark_model& model,
     if (!options.labels.empty()) write_labels(options, labeling);
   }
   if (options.groups.count("people") == 0) return;
-  Json people = scores_as_json(SM::score_people(model));
+  Json annotators = scores_as_json(SM::score_annotators(model));
   double rank = 0.;
-  for (const auto& human : model.humans) rank += ranks.mean(human.labels);
-  people["convexity_rank"] = rank / static_cast<double>(model.humans.size());
-  people["failure"] = nullptr;
-  outcomes["people"] = people;
+  for (const auto& annotator : model.annotators) rank += ranks.mean(annotator.labels);
+  annotators["convexity_rank"] = rank / static_cast<double>(model.annotators.size());
+  annotators["failure"] = nullptr;
+  outcomes["people"] = annotators;
 }
 
 Json run_model(const Options& options)

@@ -4,18 +4,26 @@
 // Decomposes a cloud, from a file or generated, by clustering its lines of sight, and compares the
 // convexity of the parts with those of the segmentation.
 
+#include "baselines/lines_of_sight_decomposition.h"
 #include "shapes/shape_generator.h"
 
-#include "baselines/lines_of_sight_decomposition.h"
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
+#include <CGAL/Weakly_convex_segmentation/internal/output/label_transfer.h>
+#include <CGAL/Weakly_convex_segmentation/internal/output/segment_statistics.h>
+#include <CGAL/tags.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
@@ -46,6 +54,24 @@ double mean_rank(const std::vector<WCS::Segment>& segments)
   return ranks / sizes;
 }
 
+// the parts of the baseline, with the same statistics as those of the segmentation
+std::vector<WCS::Segment> parts_by_sight(const WCS::internal::Shape_analysis& shape,
+                                         const Lines_of_sight::Settings& settings)
+{
+  const std::vector<int> labels = Lines_of_sight::decompose(shape, settings);
+  std::vector<int> of_representatives(shape.points().size());
+  WCS::internal::relabel_representatives(shape, labels, of_representatives);
+  const int last = *std::max_element(labels.begin(), labels.end());
+  return WCS::internal::describe_segments(shape, of_representatives, labels,
+                                          static_cast<std::size_t>(last) + 1, false);
+}
+
+void print(const std::string& method, const std::vector<WCS::Segment>& segments)
+{
+  std::cout << method << ": " << segments.size() << " segments, convexity rank "
+            << mean_rank(segments) << '\n';
+}
+
 int main(int argc, char* argv[])
 {
   try
@@ -56,25 +82,21 @@ int main(int argc, char* argv[])
     else if (!CGAL::IO::read_point_set(argv[1], cloud))
       throw std::runtime_error("the file holds no points");
     auto labels = cloud.add_property_map<int>("label", -1).first;
-
     const auto segmentation = CGAL::weakly_convex_segmentation(cloud, labels);
-    std::cout << "segmentation: " << segmentation.number_of_segments()
-              << " segments, convexity rank " << mean_rank(segmentation.segments) << '\n';
+    print("segmentation", segmentation.segments);
 
-    const auto by_gap = WCS::lines_of_sight_decomposition(cloud, labels);
-    std::cout << "lines of sight: " << by_gap.number_of_segments() << " segments, convexity rank "
-              << mean_rank(by_gap.segments) << '\n';
-
-    WCS::Lines_of_sight_parameters told;
-    told.number_of_segments = segmentation.number_of_segments();
-    const auto as_many = WCS::lines_of_sight_decomposition(cloud, labels, told);
-    std::cout << "lines of sight: " << as_many.number_of_segments() << " segments, convexity rank "
-              << mean_rank(as_many.segments) << '\n';
+    const auto shape = WCS::internal::analyze_shape(
+        WCS::internal::read_input<CGAL::Sequential_tag>(cloud, CGAL::parameters::default_values()),
+        {}, {});
+    Lines_of_sight::Settings settings;
+    print("lines of sight", parts_by_sight(*shape, settings));
+    settings.number_of_segments = segmentation.number_of_segments();
+    print("lines of sight", parts_by_sight(*shape, settings));
     return EXIT_SUCCESS;
   }
   catch (const std::exception& error)
   {
-    std::cerr << "lines_of_sight_decomposition: " << error.what() << '\n';
+    std::cerr << "decompose_by_lines_of_sight: " << error.what() << '\n';
     return EXIT_FAILURE;
   }
 }

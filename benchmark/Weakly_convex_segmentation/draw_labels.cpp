@@ -8,6 +8,7 @@
 #include "io/part_colors.h"
 #include "io/read_shape.h"
 
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>

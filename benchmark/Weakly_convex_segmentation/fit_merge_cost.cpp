@@ -103,19 +103,19 @@ double agreement(const Model& model, const WCS::internal::Region_graph& graph, c
   double sum = 0., size_a = 0., size_b = 0.; // a patch may have no element that it has most of
   for (const int p : graph.region(a).patches) size_a += model.patch_sizes[p];
   for (const int p : graph.region(b).patches) size_b += model.patch_sizes[p];
-  for (const auto& human : model.humans)
+  for (const auto& annotator : model.annotators)
   {
     std::map<int, double> labels;
     for (const int p : graph.region(a).patches)
-      for (const auto& [label, count] : human.of_patch[p]) labels[label] += count;
+      for (const auto& [label, count] : annotator.of_patch[p]) labels[label] += count;
     for (const int p : graph.region(b).patches)
-      for (const auto& [label, count] : human.of_patch[p])
+      for (const auto& [label, count] : annotator.of_patch[p])
       {
         const auto it = labels.find(label);
         if (it != labels.end()) sum += it->second * count;
       }
   }
-  const double count = size_a * size_b * static_cast<double>(model.humans.size());
+  const double count = size_a * size_b * static_cast<double>(model.annotators.size());
   return count > 0. ? sum / count : 0.5;
 }
 

@@ -52,7 +52,7 @@ struct Prepared
 {
   Model model;
   std::unique_ptr<WCS::internal::Region_graph> graph;
-  double people_parts = 0.;
+  double annotator_parts = 0.;
 
   bool in_half(const int half) const
   {
@@ -71,10 +71,10 @@ Prepared prepare(const std::filesystem::path& folder, const int number,
       shape.points(), shape.graph, shape.patches(), shape.visibility(), parameters);
   WCS::internal::set_signatures(*p.graph, shape.patches(), shape.diameters, {});
   p.graph->add_shapes(shape.points(), shape.graph, shape.patches(), shape.diameters);
-  for (const auto& human : p.model.humans)
-    p.people_parts +=
-        static_cast<double>(std::set<int>(human.labels.begin(), human.labels.end()).size());
-  p.people_parts /= static_cast<double>(p.model.humans.size());
+  for (const auto& annotator : p.model.annotators)
+    p.annotator_parts +=
+        static_cast<double>(std::set<int>(annotator.labels.begin(), annotator.labels.end()).size());
+  p.annotator_parts /= static_cast<double>(p.model.annotators.size());
   return p;
 }
 
@@ -98,7 +98,7 @@ std::vector<int> merged_regions(const Prepared& p, const WCS::Parameters& parame
 /// Means a category.
 struct Outcome
 {
-  std::array<double, categories> error{}, parts{}, people{}, models{};
+  std::array<double, categories> error{}, parts{}, annotators{}, models{};
   double mean_error = 0., mean_parts = 0.;
 
   double objective() const
@@ -108,7 +108,7 @@ struct Outcome
     for (std::size_t c = 0; c < categories; ++c)
       if (models[c] > 0.)
         sum += 2. / categories * (std::max)(0., error[c] - best_of_others[c] - gain_of_cut) +
-               0.0004 * std::abs(std::log(parts[c] / people[c]));
+               0.0004 * std::abs(std::log(parts[c] / annotators[c]));
     return sum;
   }
 };
@@ -127,14 +127,14 @@ Outcome evaluate(const std::vector<Prepared>& models, const WCS::Parameters& par
                        p.model, Patch_scores::refined_labels(p.model, regions, parameters))
                  : Patch_scores::rand_error(p.model, regions);
     outcome.parts[c] += 1. + *std::max_element(regions.begin(), regions.end());
-    outcome.people[c] += p.people_parts;
+    outcome.annotators[c] += p.annotator_parts;
     outcome.models[c] += 1.;
   }
   double count = 0.;
   for (std::size_t c = 0; c < categories; ++c)
     if (outcome.models[c] > 0.)
     {
-      for (auto* values : {&outcome.error, &outcome.parts, &outcome.people})
+      for (auto* values : {&outcome.error, &outcome.parts, &outcome.annotators})
         (*values)[c] /= outcome.models[c];
       outcome.mean_error += outcome.error[c];
       outcome.mean_parts += outcome.parts[c];

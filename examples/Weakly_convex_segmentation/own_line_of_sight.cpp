@@ -3,21 +3,22 @@
 
 // Swaps the line of sight: triangles of the closed mesh are in the way, not disks, and lines are counted.
 
-#include "shapes/shape_generator.h"
-
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Weakly_convex_segmentation/Mesh_line_of_sight.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
+#include <cstddef>
+#include <cstdlib>
 #include <iostream>
-#include <vector>
+#include <string>
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// A model of WeaklyConvexSegmentationLineOfSight; it is copied, so the count lies elsewhere.
+// A model of WeaklyConvexSegmentationLineOfSight; it is copied, so the count is kept outside of it.
 class Counted_line_of_sight
 {
   WCS::Mesh_line_of_sight<Mesh> m_exact;
@@ -42,17 +43,20 @@ public:
   }
 };
 
-int main()
+int main(int argc, char* argv[])
 {
-  const auto shape = Shape_generator::make_mesh("dumbbell", 4000, 0);
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("dumbbell.off");
   Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  for (const auto& [x, y, z] : shape.points) v.push_back(mesh.add_vertex({x, y, z}));
-  for (const auto& f : shape.faces) mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
+  if (!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << filename << " holds no manifold mesh\n";
+    return EXIT_FAILURE;
+  }
   auto label = mesh.add_property_map<Mesh::Face_index, int>("f:label").first;
 
   std::size_t lines = 0;
   const auto result = CGAL::weakly_convex_segmentation(
       mesh, label, CGAL::parameters::line_of_sight(Counted_line_of_sight(mesh, lines)));
   std::cout << result.number_of_segments() << " segments by " << lines << " exact lines of sight\n";
+  return EXIT_SUCCESS;
 }

@@ -3,17 +3,19 @@
 
 // Plugs in a merge cost: regions belong together that see each other and whose seam is not concave.
 
-#include "shapes/shape_generator.h"
-
 #include <CGAL/Point_set_3.h>
+#include <CGAL/Point_set_3/IO.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <string>
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
 using Kernel = CGAL::Simple_cartesian<double>;
+using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 
 // A model of WeaklyConvexSegmentationMergeCost.
 class Sight_and_seam_cost
@@ -33,22 +35,22 @@ public:
   double merging_threshold() const { return 0.75; } // and of components in a segment
 };
 
-int main()
+int main(int argc, char* argv[])
 {
-  const auto shape = Shape_generator::make_cloud("octopus", 6000, 0);
-  CGAL::Point_set_3<Kernel::Point_3> cloud(true); // with normals
-  for (std::size_t i = 0; i < shape.points.size(); ++i)
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("octopus.ply");
+  Point_set points; // without normals in the file they are estimated
+  if (!CGAL::IO::read_point_set(filename, points))
   {
-    const auto& [x, y, z] = shape.points[i];
-    const auto& [nx, ny, nz] = shape.normals[i];
-    cloud.insert(Kernel::Point_3(x, y, z), Kernel::Vector_3(nx, ny, nz));
+    std::cerr << filename << " holds no points\n";
+    return EXIT_FAILURE;
   }
-  auto label = cloud.add_property_map<int>("label").first;
+  auto label = points.add_property_map<int>("label").first;
 
   for (const double weight : {0.5, 1., 2.})
   {
     const auto result = CGAL::weakly_convex_segmentation(
-        cloud, label, CGAL::parameters::merge_cost(Sight_and_seam_cost(weight)));
+        points, label, CGAL::parameters::merge_cost(Sight_and_seam_cost(weight)));
     std::cout << "weight " << weight << ": " << result.number_of_segments() << " segments\n";
   }
+  return EXIT_SUCCESS;
 }

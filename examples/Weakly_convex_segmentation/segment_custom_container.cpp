@@ -2,23 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Segments points that lie in a container of one's own: the elements are indices, and property maps
-// tell where the point and the normal of an index are and where its label goes.
-
-#include "shapes/shape_generator.h"
+// give the point and the normal of an index and take its label.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/read_points.h>
+#include <CGAL/property_map.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
+#include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <numeric>
+#include <string>
+#include <utility>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
+using Oriented = std::pair<Point, Vector>;
 
 struct Sample
 {
@@ -38,16 +43,20 @@ struct Part_map
   friend void put(const Part_map& map, key_type i, int label) { (*map.samples)[i].part = label; }
 };
 
-int main()
+int main(int argc, char* argv[])
 {
-  const auto cloud = Shape_generator::make_cloud("dumbbell", 5000, 0);
-  std::vector<Sample> samples;
-  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("octopus.ply");
+  std::vector<Oriented> read;
+  if (!CGAL::IO::read_points(
+          filename, std::back_inserter(read),
+          CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+              .normal_map(CGAL::Second_of_pair_property_map<Oriented>())))
   {
-    const auto& [x, y, z] = cloud.points[i];
-    const auto& [nx, ny, nz] = cloud.normals[i];
-    samples.push_back({Point(x, y, z), Vector(nx, ny, nz), -1});
+    std::cerr << filename << " holds no points\n";
+    return EXIT_FAILURE;
   }
+  std::vector<Sample> samples;
+  for (const auto& [position, normal] : read) samples.push_back({position, normal, -1});
 
   // maps that are only read can be made of functions
   const auto positions = boost::make_function_property_map<std::size_t, Point>(
@@ -63,4 +72,5 @@ int main()
 
   std::cout << result.number_of_segments() << " segments, the first sample is in "
             << samples.front().part << '\n';
+  return EXIT_SUCCESS;
 }

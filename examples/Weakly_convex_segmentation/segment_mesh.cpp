@@ -1,9 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Segments a surface mesh, from a file or generated, and keeps the labels in a property map.
-
-#include "shapes/shape_generator.h"
+// Segments a surface mesh and keeps the labels in a property map.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -14,31 +12,19 @@
 #include <exception>
 #include <iostream>
 #include <stdexcept>
-#include <vector>
+#include <string>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-Mesh generated_mesh()
-{
-  const Shape_generator::Labeled_mesh shape = Shape_generator::make_mesh("figure", 8000, 0);
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> vertices;
-  for (const auto& p : shape.points)
-    vertices.push_back(mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
-  for (const auto& f : shape.faces) mesh.add_face(vertices[f[0]], vertices[f[1]], vertices[f[2]]);
-  return mesh;
-}
 
 int main(int argc, char* argv[])
 {
   try
   {
+    const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("figure.off");
     Mesh mesh;
-    if (argc == 1)
-      mesh = generated_mesh();
-    else if (!CGAL::IO::read_polygon_mesh(argv[1], mesh))
-      throw std::runtime_error("the file holds no manifold mesh");
+    if (!CGAL::IO::read_polygon_mesh(filename, mesh))
+      throw std::runtime_error(filename + " holds no manifold mesh");
     auto labels = mesh.add_property_map<Mesh::Face_index, int>("f:label", -1).first;
     const auto result = CGAL::weakly_convex_segmentation(mesh, labels);
 

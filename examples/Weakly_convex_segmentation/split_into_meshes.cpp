@@ -3,28 +3,30 @@
 
 // Cuts a mesh along the borders of its segments into several meshes.
 
-#include "shapes/shape_generator.h"
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-int main()
+int main(int argc, char* argv[])
 {
-  const auto shape = Shape_generator::make_mesh("four_leg", 8000, 0);
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("figure.off");
   Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  for (const auto& [x, y, z] : shape.points) v.push_back(mesh.add_vertex({x, y, z}));
-  for (const auto& f : shape.faces) mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
+  if (!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << filename << " holds no manifold mesh\n";
+    return EXIT_FAILURE;
+  }
 
   auto label = mesh.add_property_map<Mesh::Face_index, int>("f:label").first;
   const auto result = CGAL::weakly_convex_segmentation(mesh, label);

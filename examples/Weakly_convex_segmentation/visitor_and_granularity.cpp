@@ -3,16 +3,18 @@
 
 // Follows the stages with a visitor, then changes the granularity without running again.
 
-#include "shapes/shape_generator.h"
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <string>
 #include <vector>
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
@@ -33,15 +35,20 @@ private:
   Clock::time_point m_start;
 };
 
-int main()
+int main(int argc, char* argv[])
 {
-  const Shape_generator::Labeled_mesh shape = Shape_generator::make_mesh("octopus", 8000, 0);
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("figure.off");
   std::vector<Point> points;
-  for (const auto& p : shape.points) points.emplace_back(p[0], p[1], p[2]);
+  std::vector<std::vector<std::size_t>> polygons;
+  if (!CGAL::IO::read_polygon_soup(filename, points, polygons))
+  {
+    std::cerr << filename << " holds no polygons\n";
+    return EXIT_FAILURE;
+  }
 
   Stage_printer printer;
   const WCS::Result result = CGAL::weakly_convex_segmentation_of_soup(
-      points, shape.faces, CGAL::parameters::visitor(std::ref(printer)));
+      points, polygons, CGAL::parameters::visitor(std::ref(printer)));
   std::cout << result.number_of_segments() << " segments\n";
 
   // From few large parts to many small ones. The borders are those of the patches.
@@ -53,4 +60,5 @@ int main()
     std::cout << "the largest of " << wanted << " has "
               << *std::max_element(sizes.begin(), sizes.end()) << " faces\n";
   }
+  return EXIT_SUCCESS;
 }

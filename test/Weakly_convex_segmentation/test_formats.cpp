@@ -6,6 +6,12 @@
 #define BOOST_TEST_MODULE Formats
 #include <boost/test/included/unit_test.hpp>
 
+#include "io/read_obj.h"
+#include "io/read_off.h"
+#include "io/read_pcd.h"
+#include "io/read_ply.h"
+#include "io/read_stl.h"
+#include "io/read_xyz.h"
 #include "io/shape_io.h"
 #include "pcd_files.h"
 #include "scratch_folder.h"

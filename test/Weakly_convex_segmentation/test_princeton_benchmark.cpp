@@ -141,26 +141,26 @@ BOOST_AUTO_TEST_CASE(models)
   const Temporary_benchmark files;
   BOOST_CHECK_THROW(read_benchmark_model(files.root(), 7), std::runtime_error); // no folder
   files.write("seg/Benchmark/7/readme.txt", "not a segmentation");
-  BOOST_CHECK_THROW(read_benchmark_model(files.root(), 7), std::runtime_error); // no humans
+  BOOST_CHECK_THROW(read_benchmark_model(files.root(), 7), std::runtime_error); // no annotators
   files.write("seg/Benchmark/7/7_10.seg", "0\n1\n");
-  BOOST_CHECK_THROW(score_people(read_benchmark_model(files.root(), 7)), std::invalid_argument);
+  BOOST_CHECK_THROW(score_annotators(read_benchmark_model(files.root(), 7)), std::invalid_argument);
   files.write("seg/Benchmark/7/7_2.seg", "0\n0\n");
   files.write("seg/Benchmark/7/8_3.seg", "not of this model");
   files.write("seg/Benchmark/7/7_x.seg", "not a number");
 
   const Benchmark_model model = read_benchmark_model(files.root(), 7);
-  BOOST_REQUIRE(model.humans.size() == 2u);
-  BOOST_TEST(model.humans[0].number_of_segments == 1u); // in the order of numbers, 2 before 10
-  BOOST_TEST(model.humans[1].number_of_segments == 2u);
+  BOOST_REQUIRE(model.annotators.size() == 2u);
+  BOOST_TEST(model.annotators[0].number_of_segments == 1u); // in the order of numbers, 2 before 10
+  BOOST_TEST(model.annotators[1].number_of_segments == 2u);
 
-  const Scores scores = score_against_humans(model, {5, 5});
+  const Scores scores = score_against_annotators(model, {5, 5});
   BOOST_TEST(is_near(scores.rand_error, 0.5));        // 0 and 1
   BOOST_TEST(is_near(scores.false_alarm_rate, 0.25)); // 0 and 1/2
   BOOST_TEST(!scores.cut_discrepancy.has_value());
-  const Scores people = score_people(model);
-  BOOST_TEST(is_near(people.rand_error, 1.));
-  BOOST_TEST(is_near(people.missing_rate, 0.25));
-  BOOST_TEST(is_near(people.number_of_segments, 1.5));
+  const Scores annotators = score_annotators(model);
+  BOOST_TEST(is_near(annotators.rand_error, 1.));
+  BOOST_TEST(is_near(annotators.missing_rate, 0.25));
+  BOOST_TEST(is_near(annotators.number_of_segments, 1.5));
   BOOST_CHECK_THROW(read_benchmark_model(files.root(), 270), std::invalid_argument);
 }
 
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(averages_over_models_then_categories)
   BOOST_TEST(is_near(average.overall().cut_discrepancy.value(), 0.6));
 }
 
-// A line printed by the benchmark's own evaluator, for human segmentation 0 against 1.
+// A line printed by the benchmark's own evaluator, for annotator 0 against 1.
 struct Printed_scores
 {
   int model;
@@ -243,8 +243,8 @@ BOOST_AUTO_TEST_CASE(values_printed_by_the_evaluator)
   for (const Printed_scores& printed : printed_scores())
   {
     const Benchmark_model model = read_benchmark_model(*directory, printed.model);
-    const Scores s =
-        score(model.geometry, model.humans.at(0), model.humans.at(1), Pair_count::as_evaluator);
+    const Scores s = score(model.geometry, model.annotators.at(0), model.annotators.at(1),
+                           Pair_count::as_evaluator);
     const std::array<double, 9> values{s.rand_error,       s.hamming,  s.missing_rate,
                                        s.false_alarm_rate, s.gce,      s.lce,
                                        s.gce_area,         s.lce_area, s.cut_discrepancy.value()};
@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(values_printed_by_the_evaluator)
 
 // People against people on the models with odd numbers: 1 - RI, Hamming, GCEa, LCEa, cut
 // discrepancy and number of segments.
-const std::array<std::array<double, 6>, 19>& people_of_odd_models()
+const std::array<std::array<double, 6>, 19>& annotators_of_odd_models()
 {
   static const std::array<std::array<double, 6>, 19> table{
       {{.1356, .2059, .1243, .0816, .2969, 13.9},
@@ -282,14 +282,14 @@ const std::array<std::array<double, 6>, 19>& people_of_odd_models()
   return table;
 }
 
-BOOST_AUTO_TEST_CASE(people_against_people)
+BOOST_AUTO_TEST_CASE(annotators_against_annotators)
 {
   const auto directory = benchmark_directory();
   if (!directory) return;
   Benchmark_average average;
   for (int number = 1; number <= 400; number += 2)
     if (is_in_benchmark(number))
-      average.add(number, score_people(read_benchmark_model(*directory, number)));
+      average.add(number, score_annotators(read_benchmark_model(*directory, number)));
   for (std::size_t i = 0; i < category_names().size(); ++i)
   {
     const Scores s = average.category(i).value();
@@ -297,7 +297,7 @@ BOOST_AUTO_TEST_CASE(people_against_people)
         s.rand_error,        s.hamming, s.gce_area, s.lce_area, s.cut_discrepancy.value(),
         s.number_of_segments};
     for (std::size_t k = 0; k < values.size(); ++k)
-      BOOST_TEST(is_near(values[k], people_of_odd_models()[i][k], k == 5 ? 0.051 : 0.000051),
+      BOOST_TEST(is_near(values[k], annotators_of_odd_models()[i][k], k == 5 ? 0.051 : 0.000051),
                  category_names()[i] << ", value " << k << ": " << values[k]);
   }
   BOOST_TEST(is_near(average.overall().rand_error, 0.1085, 0.000051));

@@ -327,7 +327,7 @@ BOOST_AUTO_TEST_CASE(the_small_examples_run)
   for (const std::string name :
        {"segment_mesh", "segment_part_of_mesh", "split_into_meshes", "segment_point_set",
         "segment_custom_container", "components_only", "visitor_and_granularity",
-        "lines_of_sight_decomposition", "own_line_of_sight", "own_merge_cost"})
+        "decompose_by_lines_of_sight", "own_line_of_sight", "own_merge_cost"})
   {
     BOOST_TEST_CONTEXT(name)
     {

@@ -4,65 +4,25 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_IO_ATOMIC_FILE_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_IO_ATOMIC_FILE_H
 
-#include "io/shape.h"
-#include "program/interruption.h"
-
 #include <filesystem>
 #include <fstream>
-#include <ios>
 #include <iostream>
-#include <map>
 #include <ostream>
-#include <random>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace Shape_io {
-
 namespace internal {
 
-// Follows links, also to what is not there yet. Of links in a circle one is returned.
-inline std::filesystem::path without_links(std::filesystem::path path)
-{
-  constexpr int most_links = 40;
-  std::error_code error;
-  for (int i = 0; i < most_links && std::filesystem::is_symlink(path, error); ++i)
-    path = path.parent_path() / std::filesystem::read_symlink(path, error); // may be absolute
-  return path;
-}
-
 // One name for all the names of a file.
-inline std::filesystem::path place_of_file(const std::string& path)
-{
-  std::error_code error;
-  const std::filesystem::path absolute = std::filesystem::absolute(without_links(path), error);
-  const std::filesystem::path place = std::filesystem::weakly_canonical(absolute, error);
-  return error ? absolute : place;
-}
+std::filesystem::path place_of_file(const std::string& path);
 
 } // namespace internal
 
 // Throws File_error if two outputs are one file, or if one is an input, by whatever names. "-" and devices
 // can be named more than once.
-inline void check_output_places(const std::vector<std::string>& outputs,
-                                const std::vector<std::string>& inputs)
-{
-  std::map<std::filesystem::path, std::string> taken;
-  std::error_code error;
-  for (const std::string& input : inputs)
-    if (!input.empty() && input != "-") taken.emplace(internal::place_of_file(input), input);
-  for (const std::string& output : outputs)
-  {
-    if (output == "-" || (std::filesystem::exists(output, error) &&
-                          !std::filesystem::is_regular_file(output, error)))
-      continue;
-    const auto [entry, is_new] = taken.emplace(internal::place_of_file(output), output);
-    if (!is_new)
-      throw File_error("cannot write '" + output + "': it is the same file as '" + entry->second +
-                       "'; name another one");
-  }
-}
+void check_output_places(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& inputs);
 
 // A file that is there as a whole or not at all: it is written beside its place and renamed by
 // commit(). Without commit(), the destructor removes what was written. The name "-" is standard
@@ -72,79 +32,27 @@ class Atomic_file
 public:
   // Throws File_error if the file can't be written there. What is at that place stays until
   // commit().
-  explicit Atomic_file(const std::string& path) : m_name(path), m_target(path)
-  {
-    std::error_code error;
-    m_is_standard = path == "-";
-    m_is_direct = m_is_standard;
-    if (m_is_standard) return;
-    if (std::filesystem::is_directory(m_target, error)) fail("it is a folder; name a file");
-    // A device or pipe can't be replaced, nor what standard output goes to: they are written to
-    // directly.
-    m_is_direct = path == "/dev/stdout" || path == "/dev/stderr" ||
-                  path.compare(0, 8, "/dev/fd/") == 0 ||
-                  (std::filesystem::exists(m_target, error) &&
-                   !std::filesystem::is_regular_file(m_target, error));
-    // The file that a link names is replaced, not the link.
-    if (!m_is_direct) m_target = internal::without_links(m_target);
-    if (!m_is_direct && std::filesystem::is_symlink(m_target, error))
-      fail("its links lead in a circle; name a file");
-    m_written = m_target;
-    if (!m_is_direct) m_written += "." + std::to_string(std::random_device()()) + ".tmp";
-    m_stream.open(m_written, std::ios::binary | std::ios::trunc);
-    if (!m_stream) fail("it can't be created; check that its folder exists and is writable");
-  }
+  explicit Atomic_file(const std::string& path);
 
-  ~Atomic_file()
-  {
-    if (m_is_committed || m_is_direct) return;
-    m_stream.close();
-    std::error_code error;
-    std::filesystem::remove(m_written, error);
-  }
+  ~Atomic_file();
 
   Atomic_file(const Atomic_file&) = delete;
   Atomic_file& operator=(const Atomic_file&) = delete;
 
   // Throws File_error if no file of that name can be written. Nothing is left there.
-  static void check(const std::string& path)
-  {
-    std::error_code error;
-    if (path != "-" &&
-        (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error)))
-    {
-      const Program_errors::Interruption interruption; // the file is there for a moment
-      const Atomic_file file(path);
-    }
-    Program_errors::Interruption::check();
-  }
+  static void check(const std::string& path);
 
   std::ostream& stream() { return m_is_standard ? std::cout : m_stream; }
 
   // Throws File_error if not all could be written.
-  void commit()
-  {
-    finish();
-    std::error_code error;
-    if (!m_is_direct) std::filesystem::rename(m_written, m_target, error);
-    if (error) fail("its place can't be taken (" + error.message() + "); check its folder");
-    m_is_committed = true;
-  }
+  void commit();
 
   // Writes what is still in memory, so that a full disk shows before any of several files is
   // committed.
-  void finish()
-  {
-    if (m_is_standard) std::cout.flush();
-    if (m_stream.is_open()) m_stream.close(); // sets failbit if the buffer can't be written
-    if (!stream()) fail("not all could be written; check for free space");
-  }
+  void finish();
 
 private:
-  [[noreturn]] void fail(const std::string& what) const
-  {
-    throw File_error("cannot write '" + m_name + "': " + what);
-  }
+  [[noreturn]] void fail(const std::string& what) const;
 
   std::string m_name;
   std::filesystem::path m_target;
@@ -161,20 +69,7 @@ class New_folder
 {
 public:
   // Throws File_error if there can't be a folder of that name.
-  explicit New_folder(const std::string& path) : m_path(path)
-  {
-    std::error_code error;
-    std::vector<std::filesystem::path> missing;
-    for (std::filesystem::path p = m_path; !p.empty() && !std::filesystem::exists(p, error);
-         p = p.parent_path())
-      missing.insert(missing.begin(), p);
-    for (const auto& p : missing)
-      if (std::filesystem::create_directory(p, error)) m_made.insert(m_made.begin(), p);
-    if (std::filesystem::is_directory(m_path, error)) return;
-    remove_made();
-    throw File_error("cannot make the folder '" + path +
-                     "': name one that is no file, in a place that is writable");
-  }
+  explicit New_folder(const std::string& path);
   ~New_folder() { remove_made(); }
   New_folder(const New_folder&) = delete;
   New_folder& operator=(const New_folder&) = delete;
@@ -183,11 +78,7 @@ public:
   std::string path_of(const std::string& name) const { return (m_path / name).string(); }
 
 private:
-  void remove_made()
-  {
-    std::error_code error;
-    for (const auto& p : m_made) std::filesystem::remove(p, error); // nothing if it is not empty
-  }
+  void remove_made();
 
   std::filesystem::path m_path;
   std::vector<std::filesystem::path> m_made; // the innermost first

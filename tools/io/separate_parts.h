@@ -7,8 +7,6 @@
 #include "io/shape.h"
 
 #include <cstddef>
-#include <limits>
-#include <locale>
 #include <ostream>
 #include <vector>
 
@@ -17,113 +15,17 @@
 namespace Shape_io {
 
 // The elements of each label, in the order of the input. Those without a label (-1) are in none.
-inline std::vector<std::vector<std::size_t>> elements_of_parts(const std::vector<int>& labels,
-                                                               const std::size_t number_of_parts)
-{
-  std::vector<std::vector<std::size_t>> elements(number_of_parts);
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] >= 0) elements[static_cast<std::size_t>(labels[i])].push_back(i);
-  return elements;
-}
+std::vector<std::vector<std::size_t>> elements_of_parts(const std::vector<int>& labels,
+                                                        std::size_t number_of_parts);
 
-namespace internal {
-
-inline std::vector<Property> chosen_values(const std::vector<Property>& properties,
-                                           const std::vector<std::size_t>& chosen)
-{
-  std::vector<Property> result;
-  for (const Property& property : properties)
-  {
-    result.push_back({property.name, property.type, {}, property.list_size_type});
-    Property& own = result.back();
-    if (property.is_list()) own.first = {0};
-    for (const std::size_t i : chosen)
-    {
-      const std::size_t first = property.is_list() ? property.first[i] : i;
-      const std::size_t last = property.is_list() ? property.first[i + 1] : i + 1;
-      for (std::size_t k = first; k < last; ++k) own.values.push_back(property.values[k]);
-      if (property.is_list()) own.first.push_back(own.values.size());
-    }
-  }
-  return result;
-}
-
-} // namespace internal
-
-// The shape of some of the elements, with all that the file told of them. The points of a mesh keep
+// The shape of some of the elements, with all properties that the file has of them. The points of a mesh keep
 // their order; those that none of the faces has are left out.
-inline Shape shape_of_elements(const Shape& shape, const std::vector<std::size_t>& elements)
-{
-  Shape part;
-  std::vector<std::size_t> points;
-  if (shape.is_mesh())
-  {
-    constexpr std::size_t unused = (std::numeric_limits<std::size_t>::max)();
-    std::vector<std::size_t> new_index(shape.points.size(), unused);
-    for (const std::size_t f : elements)
-      for (const std::size_t corner : shape.polygons[f]) new_index[corner] = 0;
-    for (std::size_t i = 0; i < new_index.size(); ++i)
-      if (new_index[i] != unused)
-      {
-        new_index[i] = points.size();
-        points.push_back(i);
-      }
-    for (const std::size_t f : elements)
-    {
-      part.polygons.push_back(shape.polygons[f]);
-      for (std::size_t& corner : part.polygons.back()) corner = new_index[corner];
-    }
-    part.face_properties = internal::chosen_values(shape.face_properties, elements);
-  }
-  else
-    points = elements;
-  for (const std::size_t i : points)
-  {
-    part.points.push_back(shape.points[i]);
-    if (!shape.normals.empty()) part.normals.push_back(shape.normals[i]);
-  }
-  part.point_properties = internal::chosen_values(shape.point_properties, points);
-  return part;
-}
-
-namespace internal {
-
-inline void write_obj_group(std::ostream& out, const Shape& shape, const std::size_t label,
-                            const std::vector<std::size_t>& elements)
-{
-  out << "g part_" << label << '\n';
-  for (const std::size_t i : elements)
-    if (shape.is_mesh())
-    {
-      out << 'f';
-      for (const std::size_t corner : shape.polygons[i])
-      {
-        out << ' ' << corner + 1;
-        if (!shape.normals.empty()) out << "//" << corner + 1;
-      }
-      out << '\n';
-    }
-    else
-      out << "p " << i + 1 << '\n';
-}
-
-} // namespace internal
+Shape shape_of_elements(const Shape& shape, const std::vector<std::size_t>& elements);
 
 // Writes OBJ with a group a part: `part_0`, `part_1`, ... All points are written in their order; the
 // faces come part by part, as groups want it.
-inline void write_obj_groups(std::ostream& out, const Shape& shape, const std::vector<int>& labels,
-                             const std::size_t number_of_parts)
-{
-  out.imbue(std::locale::classic());
-  out.precision(std::numeric_limits<double>::max_digits10);
-  out << "# parts of a weakly convex segmentation\n";
-  for (const Point& p : shape.points) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-  for (const Vector& n : shape.normals)
-    out << "vn " << n.x() << ' ' << n.y() << ' ' << n.z() << '\n';
-  const auto elements = elements_of_parts(labels, number_of_parts);
-  for (std::size_t label = 0; label < elements.size() && out; ++label)
-    internal::write_obj_group(out, shape, label, elements[label]);
-}
+void write_obj_groups(std::ostream& out, const Shape& shape, const std::vector<int>& labels,
+                      std::size_t number_of_parts);
 
 } // namespace Shape_io
 

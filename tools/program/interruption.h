@@ -5,7 +5,6 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_INTERRUPTION_H
 
 #include <csignal>
-#include <stdexcept>
 
 // How a program that is interrupted leaves no unfinished file behind.
 
@@ -16,42 +15,23 @@ namespace Program_errors {
 class Interruption
 {
 public:
-  Interruption()
-  {
-    for (const int signal : signals)
-      if (std::signal(signal, take) == SIG_IGN) std::signal(signal, SIG_IGN); // as nohup wants it
-  }
-  ~Interruption()
-  {
-    for (const int signal : signals)
-      if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
-  }
+  Interruption();
+  ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
   static bool happened() { return mark() != 0; }
   // Throws if it happened.
-  static void check()
-  {
-    if (happened()) throw std::runtime_error(message());
-  }
+  static void check();
 
   static const char* message() { return "interrupted, no unfinished file is left; start it again"; }
 
 private:
   static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
-  static volatile std::sig_atomic_t& mark()
-  {
-    static volatile std::sig_atomic_t value = 0;
-    return value;
-  }
+  static volatile std::sig_atomic_t& mark();
 
-  static void take(const int signal)
-  {
-    mark() = 1;
-    std::signal(signal, SIG_DFL); // the second one ends the program at once
-  }
+  static void take(int signal);
 };
 
 } // namespace Program_errors

@@ -9,7 +9,6 @@
 #include <exception>
 #include <iostream>
 #include <new>
-#include <stdexcept>
 #include <string>
 
 // How all programs end: with exit code 0, or 1 and one line on standard error.
@@ -17,19 +16,10 @@
 namespace Program_errors {
 
 // Names of files and messages of libraries may hold line ends, but an error is one line.
-inline std::string one_line(std::string message)
-{
-  for (char& c : message)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-  return message;
-}
+std::string one_line(std::string message);
 
 // Throws if standard output could not be written.
-inline void flush_standard_output()
-{
-  if (!std::cout.flush())
-    throw std::runtime_error("standard output can't be written; check where it goes");
-}
+void flush_standard_output();
 
 // Calls `work` and returns the exit code.
 template <typename Work>

@@ -6,12 +6,8 @@
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 
-#include <boost/program_options.hpp>
-
-#include <algorithm>
 #include <cstddef>
 #include <ostream>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -43,216 +39,18 @@ struct Options
 
 // The files that are written, without those of `split_folder`.
 // "-" among them is standard output.
-inline std::vector<std::string> output_files(const Options& options)
-{
-  std::vector<std::string> files;
-  for (const std::string& file : {options.parts_file, options.labels_file, options.stats_file,
-                                  options.hulls_file, options.view_file})
-    if (!file.empty()) files.push_back(file);
-  return files;
-}
+std::vector<std::string> output_files(const Options& options);
 
 namespace internal {
 
-namespace po = boost::program_options;
-
-// All numbers are read as signed ones: read as unsigned, -1 would be a large number.
-struct Numbers
-{
-  long long max_segments = 0, seed = 0, threads = 0;
-  double min_segment_share = 0.;
-};
-
-inline po::options_description described_options(Options& options, Numbers& numbers)
-{
-  po::options_description result("Options");
-  auto add = result.add_options();
-  add("output,o", po::value(&options.parts_file)->value_name("PARTS.ply"),
-      "write the input with a color, an int label and a float quality for each part as PLY; or, if "
-      "the name ends in .obj, as OBJ with a group a part");
-  add("labels", po::value(&options.labels_file)->value_name("PARTS.seg"),
-      "write one label a line, in the order of the input");
-  add("stats", po::value(&options.stats_file)->value_name("STATS.json"),
-      "write counts, seconds and the numbers of each part as JSON");
-  add("split", po::value(&options.split_folder)->value_name("FOLDER"),
-      "write each part as a file of its own, FOLDER/part_0.ply and so on, in place of those of an "
-      "earlier run");
-  add("hulls", po::value(&options.hulls_file)->value_name("HULLS.ply"),
-      "write the convex hulls of the parts as one mesh, PLY or OBJ (groups); flat parts have none");
-  add("view", po::value(&options.view_file)->value_name("PARTS.html"),
-      "write a page for a browser: turn the shape, step through the stages, pull the parts apart");
-  add("transfer", po::value(&options.dense_file)->value_name("DENSE.ply"),
-      "give all outputs for this shape instead, each point or face with the part of INPUT that it "
-      "is nearest to");
-  add("preset", po::value(&options.preset)->value_name("default|paper|fitted"),
-      "parameters: the best known (default), those of the paper, or a cost fitted to people's "
-      "parts");
-  add("stage", po::value(&options.stage)->value_name("patches|components|segments"),
-      "granularity of the labels (default: segments)");
-  add("diameters", po::value(&options.diameters)->value_name("own|cgal"),
-      "how thick the shape is at a face: measured on points, or by CGAL's shape diameter function, "
-      "which takes "
-      "longer and needs a manifold mesh of triangles (default: own)");
-  add("max-segments", po::value(&numbers.max_segments)->value_name("N"),
-      "merge on until there are at most N segments");
-  add("min-segment-size", po::value(&numbers.min_segment_share)->value_name("SHARE"),
-      "give segments under this share of the shape, 0 to 1, to a neighbor (default: that of "
-      "the preset)");
-  add("seed", po::value(&numbers.seed)->value_name("N"), "seed of all random choices (default: 0)");
-  add("threads", po::value(&numbers.threads)->value_name("N"),
-      "number of threads; the result does not depend on it (default: all)");
-  add("shape", po::value(&options.shape)->value_name("NAME"),
-      "generated shape that is segmented without INPUT (default: figure)");
-  add("ascii", po::bool_switch(&options.ascii), "write PARTS.ply as text");
-  add("quiet", po::bool_switch(&options.quiet), "print nothing but errors");
-  add("help", po::bool_switch(&options.help), "print this help");
-  add("version", po::bool_switch(&options.version), "print the version");
-  return result;
-}
-
-[[noreturn]] inline void refuse(const std::string& what)
-{
-  throw std::invalid_argument(what + "; see segment_shape --help");
-}
-
-inline void check_range(const po::variables_map& given, const char* const name,
-                        const long long value, const long long low, const long long high)
-{
-  if (given.count(name) && (value < low || value > high))
-    refuse("--" + std::string(name) + " is " + std::to_string(value) + ", give a number from " +
-           std::to_string(low) + " to " + std::to_string(high));
-}
-
-inline bool has_extension(const std::string& path, const std::string& lower,
-                          const std::string& upper)
-{
-  const std::string end = path.substr(path.size() - (std::min)(path.size(), lower.size()));
-  return end == lower || end == upper;
-}
-
-inline bool is_obj_file(const std::string& path) { return has_extension(path, ".obj", ".OBJ"); }
-
-inline void check_mesh_file(const std::string& path)
-{
-  if (!path.empty() && path != "-" && path.compare(0, 5, "/dev/") != 0 &&
-      !has_extension(path, ".ply", ".PLY") && !is_obj_file(path))
-    refuse("'" + path + "' is written as PLY or OBJ; end its name with .ply or .obj");
-}
-
-inline void check_files(const po::variables_map& given, const Options& options)
-{
-  for (const char* const name :
-       {"input", "output", "labels", "stats", "hulls", "split", "view", "transfer"})
-    if (given.count(name) && given[name].as<std::string>().empty())
-      refuse("the name of a file is empty (" + std::string(name) + ")");
-  if (given.count("input") && given.count("shape"))
-    refuse("there is both a file and --shape; give one of them");
-  if (options.input == "-" && options.dense_file == "-")
-    refuse("standard input can't be both INPUT and --transfer");
-  check_mesh_file(options.parts_file);
-  check_mesh_file(options.hulls_file);
-  std::set<std::string> names;
-  for (const std::string& file : output_files(options))
-    if (!names.insert(file).second) refuse("two outputs have the same name");
-}
-
-// Carries the given words and numbers over to the parameters.
-inline void apply(const Numbers& numbers, Options& options)
-{
-  if (options.preset == "paper")
-    options.parameters = WCS::Parameters::paper();
-  else if (options.preset == "fitted")
-    options.parameters = WCS::Parameters::fitted();
-  else if (options.preset != "default")
-    refuse("--preset is '" + options.preset + "', give default, paper or fitted");
-
-  if (options.stage == "patches")
-    options.level = WCS::Level::PATCHES;
-  else if (options.stage == "components")
-    options.level = WCS::Level::COMPONENTS;
-  else if (options.stage != "segments")
-    refuse("--stage is '" + options.stage + "', give patches, components or segments");
-
-  if (options.diameters == "cgal")
-    options.parameters.diameter = WCS::Diameter_rule::GIVEN;
-  else if (options.diameters != "own")
-    refuse("--diameters is '" + options.diameters + "', give own or cgal");
-
-  options.parameters.maximum_number_of_segments = static_cast<std::size_t>(numbers.max_segments);
-  options.parameters.seed = static_cast<unsigned int>(numbers.seed);
-  options.number_of_threads = static_cast<std::size_t>(numbers.threads);
-}
-
-inline po::variables_map given_options(const int argc, const char* const argv[],
-                                       const po::options_description& described)
-{
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::options_description all;
-  all.add(described).add_options()("input", po::value<std::string>());
-  po::positional_options_description positional;
-  positional.add("input", 1);
-  po::variables_map given;
-  try
-  {
-    po::store(
-        po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-        given);
-    po::notify(given);
-  }
-  catch (const po::too_many_positional_options_error&)
-  {
-    refuse("there is more than one input file");
-  }
-  catch (const po::error& error)
-  {
-    refuse(error.what());
-  }
-  return given;
-}
+bool is_obj_file(const std::string& path);
 
 } // namespace internal
 
-// Throws std::invalid_argument for anything wrong, with one line that tells what.
-inline Options read_options(const int argc, const char* const argv[])
-{
-  Options options;
-  internal::Numbers numbers;
-  const auto described = internal::described_options(options, numbers);
-  const auto given = internal::given_options(argc, argv, described);
-  if (given.count("input")) options.input = given["input"].as<std::string>();
-  internal::check_files(given, options);
-  internal::check_range(given, "max-segments", numbers.max_segments, 1, 1000000000);
-  internal::check_range(given, "seed", numbers.seed, 0, 4294967295);
-  internal::check_range(given, "threads", numbers.threads, 1, 1024);
-  internal::apply(numbers, options);
-  if (given.count("min-segment-size"))
-  {
-    if (!(numbers.min_segment_share >= 0. && numbers.min_segment_share <= 1.))
-      internal::refuse("--min-segment-size is not a share; give a number from 0 to 1");
-    options.parameters.minimum_segment_share = numbers.min_segment_share;
-  }
-  const bool asks_for_nothing = !given.count("input") && options.dense_file.empty() &&
-                                output_files(options).empty() && options.split_folder.empty();
-  if (asks_for_nothing) options.parts_file = "parts.ply";
-  return options;
-}
+// Throws std::invalid_argument for anything wrong, with one line that says what.
+Options read_options(int argc, const char* const argv[]);
 
-inline void print_help(std::ostream& out)
-{
-  Options options;
-  internal::Numbers numbers;
-  out << "Usage: segment_shape [INPUT] [OPTIONS]\n\n"
-         "Segments a mesh (OFF, PLY, OBJ, STL) or a cloud of points (PLY, PCD, XYZ, PWN, TXT, "
-         "CSV,\n"
-         "PTS, OFF, OBJ) into weakly convex parts. Without INPUT it segments a shape of its own "
-         "and,\n"
-         "unless told otherwise, writes parts.ply. The name - is standard input or output. Pixels "
-         "of\n"
-         "a depth camera without a measurement (NaN; 0 0 0 repeated in an organized PCD or PLY) "
-         "keep\n"
-         "their place and get the label -1.\n\n"
-      << internal::described_options(options, numbers);
-}
+void print_help(std::ostream& out);
 
 } // namespace Segment_shape
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
-#include <iostream>
 #include <string>
 
 #include <unistd.h>
@@ -23,10 +22,7 @@ namespace WCS = CGAL::Weakly_convex_segmentation;
 class Stopwatch
 {
 public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-  }
+  double seconds() const;
 
 private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
@@ -36,16 +32,9 @@ private:
 class Stage_times : public WCS::Visitor
 {
 public:
-  void stage_begins(const WCS::Stage stage) override
-  {
-    m_stage = stage;
-    m_stopwatch = Stopwatch();
-  }
+  void stage_begins(WCS::Stage stage) override;
 
-  void stage_ends(const WCS::Stage stage, std::size_t) override
-  {
-    m_seconds[static_cast<std::size_t>(stage)] += m_stopwatch.seconds();
-  }
+  void stage_ends(WCS::Stage stage, std::size_t) override;
 
   WCS::Stage stage() const { return m_stage; } // the last that began
   double seconds(const WCS::Stage of) const { return m_seconds[static_cast<std::size_t>(of)]; }
@@ -61,20 +50,11 @@ class Progress_line
 {
 public:
   explicit Progress_line(const bool quiet) : m_is_shown(!quiet && isatty(STDERR_FILENO) == 1) {}
-  ~Progress_line()
-  {
-    if (m_percent >= 0) std::cerr << "\r\033[K" << std::flush;
-  }
+  ~Progress_line();
   Progress_line(const Progress_line&) = delete;
   Progress_line& operator=(const Progress_line&) = delete;
 
-  void show(const double share, const std::string& what)
-  {
-    const int percent = static_cast<int>(100. * share);
-    if (!m_is_shown || percent == m_percent) return;
-    m_percent = percent;
-    std::cerr << "\r\033[K" << percent << " % " << what << std::flush;
-  }
+  void show(double share, const std::string& what);
 
 private:
   bool m_is_shown;

@@ -4,11 +4,11 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_COMPARED_METHODS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_COMPARED_METHODS_H
 
+#include "baselines/lines_of_sight_decomposition.h"
 #include "baselines/pcl_program.h"
 #include "common/run_in_child_process.h"
 #include "metrics/mesh_geometry.h"
 
-#include "baselines/lines_of_sight_decomposition.h"
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -43,7 +43,7 @@ struct Shape
 {
   const Soup& soup;
   Surface_mesh mesh; ///< the faces in the same order; empty if they are no oriented manifold
-  std::size_t number_of_parts = 0; ///< that the default found, for the methods that are told it
+  std::size_t number_of_parts = 0; ///< that the default found, for the methods that are given it
   std::filesystem::path program_folder; ///< where segment_by_pcl may be
 };
 
@@ -118,16 +118,24 @@ inline WCS::internal::Raw_shape raw_points(const Shape& shape)
                                   CGAL::Identity_property_map<Kernel::Point_3>());
 }
 
+/// The seconds are without those of stages whose results the method does not use.
 /// \param number_of_parts 0: by the gap of the eigenvalues
 inline std::vector<Labeling> segment_by_lines_of_sight(const Shape& shape, const std::string& name,
                                                        const std::size_t number_of_parts)
 {
-  WCS::Lines_of_sight_parameters parameters;
-  parameters.number_of_segments = number_of_parts;
+  Cpu_clock clock;
+  WCS::internal::Run_control control;
+  control.visitor = &clock;
+  Lines_of_sight::Settings settings;
+  settings.number_of_segments = number_of_parts;
   const double begin = cpu_seconds();
-  const WCS::internal::Raw_shape raw = raw_points(shape);
-  const auto result = WCS::internal::decompose_by_lines_of_sight(raw, parameters, {}, 0);
-  return {{name, result.labels, cpu_seconds() - begin}};
+  const auto analysis = WCS::internal::analyze_shape(raw_points(shape), {}, control);
+  std::vector<int> labels = Lines_of_sight::decompose(*analysis, settings);
+  const double end = cpu_seconds();
+  const auto at_end = [&](const WCS::Stage stage)
+  { return clock.at_end[static_cast<std::size_t>(stage)]; };
+  const double unused = at_end(WCS::Stage::SIGNATURES) - at_end(WCS::Stage::NEIGHBORS);
+  return {{name, std::move(labels), end - begin - unused}};
 }
 
 /// the faces turned so that they agree, for methods that need an oriented manifold

@@ -1,10 +1,5 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
-//
-// This file is part of Weakly_convex_segmentation, a package for CGAL (www.cgal.org).
-//
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Weakly_convex_segmentation authors
 
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_LINES_OF_SIGHT_CLUSTERING_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_LINES_OF_SIGHT_CLUSTERING_H
@@ -29,11 +24,15 @@
 #include <vector>
 
 // The steps of the decomposition by lines of sight; what each chooses where public text on the method
-// is silent stands with `lines_of_sight_decomposition()`.
+// is silent stands with `decompose()`.
 
-namespace CGAL {
-namespace Weakly_convex_segmentation {
-namespace internal {
+namespace Lines_of_sight {
+
+namespace WCS = CGAL::Weakly_convex_segmentation;
+using WCS::internal::Embedding;
+using WCS::internal::Index;
+using WCS::internal::Line_of_sight_query;
+using WCS::internal::Oriented_points;
 
 /// How far apart two points count: opposite sides of a thin sheet must not stand for each other, so
 /// that opposite normals are as far apart as 6 % of the shape's extent.
@@ -75,7 +74,7 @@ inline Eigen::MatrixXd line_of_sight_matrix(const Line_of_sight_query& sight,
 {
   const Eigen::Index n = static_cast<Eigen::Index>(sample.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
-  parallel_for(
+  WCS::internal::parallel_for(
       sample.size(), parallel,
       [&](const std::size_t i)
       {
@@ -104,8 +103,8 @@ inline Spectrum laplacian_spectrum(const Eigen::MatrixXd& affinity)
   // the dense solver: an iterative one may lose some of the equal eigenvalues of separate parts
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(laplacian);
   if (solver.info() != Eigen::Success)
-    throw std::runtime_error("the eigenvectors of the lines of sight did not converge; change "
-                             "Lines_of_sight_parameters::number_of_samples");
+    throw std::runtime_error("the eigenvectors of the lines of sight did not converge; change the "
+                             "number of samples");
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
@@ -143,7 +142,7 @@ inline void fill_empty_clusters(const Embedding& rows, const std::size_t count,
 {
   while (true)
   {
-    const Embedding means = cluster_means(rows, clusters.of_row, count);
+    const Embedding means = WCS::internal::cluster_means(rows, clusters.of_row, count);
     std::vector<std::size_t> sizes(count, 0);
     for (const Index c : clusters.of_row) ++sizes[c];
     clusters.spread = 0.;
@@ -182,7 +181,7 @@ inline std::vector<Index> cluster_spectrum(const Spectrum& spectrum, const std::
   for (int run = 0; run < runs; ++run)
   {
     Row_clusters clusters;
-    clusters.of_row = k_means(rows, count, random);
+    clusters.of_row = WCS::internal::k_means(rows, count, random);
     fill_empty_clusters(rows, count, clusters);
     if (clusters.spread < best.spread) best = std::move(clusters);
   }
@@ -198,32 +197,31 @@ inline std::vector<int> spread_clusters(const Line_of_sight_query& sight,
 {
   constexpr std::size_t candidates = 8;
   const Oriented_points& points = sight.points();
-  std::vector<Vector3> positions;
+  std::vector<WCS::internal::Vector3> positions;
   for (const Index s : sample) positions.push_back(points.positions[s]);
-  const Kd_tree tree(positions);
+  const WCS::internal::Kd_tree tree(positions);
   std::vector<int> labels(points.size());
-  parallel_for(points.size(), parallel,
-               [&](const std::size_t i)
-               {
-                 const Index point = static_cast<Index>(i);
-                 std::vector<std::pair<float, Index>> near;
-                 tree.nearest(points.positions[i], (std::min)(candidates, sample.size()),
-                              [&](const Index s, float) {
-                                near.push_back({sample_distance(points, point, sample[s]), s});
-                              });
-                 std::sort(near.begin(), near.end());
-                 auto seen = std::find_if(
-                     near.begin(), near.end(),
-                     [&](const std::pair<float, Index>& candidate)
-                     { return sight.sees_inside(point, sample[candidate.second], tolerance); });
-                 if (seen == near.end()) seen = near.begin();
-                 labels[i] = static_cast<int>(cluster[seen->second]);
-               });
+  WCS::internal::parallel_for(
+      points.size(), parallel,
+      [&](const std::size_t i)
+      {
+        const Index point = static_cast<Index>(i);
+        std::vector<std::pair<float, Index>> near;
+        tree.nearest(points.positions[i], (std::min)(candidates, sample.size()),
+                     [&](const Index s, float) {
+                       near.push_back({sample_distance(points, point, sample[s]), s});
+                     });
+        std::sort(near.begin(), near.end());
+        auto seen =
+            std::find_if(near.begin(), near.end(),
+                         [&](const std::pair<float, Index>& candidate)
+                         { return sight.sees_inside(point, sample[candidate.second], tolerance); });
+        if (seen == near.end()) seen = near.begin();
+        labels[i] = static_cast<int>(cluster[seen->second]);
+      });
   return labels;
 }
 
-} // namespace internal
-} // namespace Weakly_convex_segmentation
-} // namespace CGAL
+} // namespace Lines_of_sight
 
 #endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_BASELINES_LINES_OF_SIGHT_CLUSTERING_H

@@ -48,7 +48,7 @@ inline void write_all(const int pipe, const void* data, std::size_t size)
   while (size > 0)
   {
     const ssize_t written = ::write(pipe, bytes, size);
-    if (written <= 0) ::_exit(3); // nobody is there to be told
+    if (written <= 0) ::_exit(3); // the parent is gone
     bytes += written;
     size -= static_cast<std::size_t>(written);
   }

@@ -27,7 +27,7 @@ namespace WCS = CGAL::Weakly_convex_segmentation;
 using Shape_variants::Variant;
 
 /// One person's labels, and how many elements of each patch have each of them.
-struct Human
+struct Annotator
 {
   std::vector<int> labels; ///< of the elements, from 0
   std::vector<std::map<int, double>> of_patch;
@@ -39,7 +39,7 @@ struct Model
   int number = 0;
   std::unique_ptr<WCS::internal::Shape_analysis> shape;
   std::vector<double> patch_sizes; ///< elements
-  std::vector<Human> humans;
+  std::vector<Annotator> annotators;
   double elements = 0.;
 
   std::size_t category() const { return SM::category_of_model(number); }
@@ -54,17 +54,17 @@ inline void count_patches(Model& model)
   model.elements = static_cast<double>(patches.size());
   model.patch_sizes.assign(model.shape->patches().size(), 0.);
   for (const int p : patches) model.patch_sizes[static_cast<std::size_t>(p)] += 1.;
-  for (Human& human : model.humans)
+  for (Annotator& annotator : model.annotators)
   {
-    human.of_patch.assign(model.patch_sizes.size(), {});
+    annotator.of_patch.assign(model.patch_sizes.size(), {});
     std::map<int, double> sizes;
     for (std::size_t e = 0; e < patches.size(); ++e)
     {
-      human.of_patch[static_cast<std::size_t>(patches[e])][human.labels[e]] += 1.;
-      sizes[human.labels[e]] += 1.;
+      annotator.of_patch[static_cast<std::size_t>(patches[e])][annotator.labels[e]] += 1.;
+      sizes[annotator.labels[e]] += 1.;
     }
-    human.pairs_within = 0.;
-    for (const auto& entry : sizes) human.pairs_within += pairs(entry.second);
+    annotator.pairs_within = 0.;
+    for (const auto& entry : sizes) annotator.pairs_within += pairs(entry.second);
   }
 }
 
@@ -78,11 +78,11 @@ inline Model load(const std::filesystem::path& data, const int number, WCS::Para
   Model model;
   model.number = number;
   model.shape = WCS::internal::analyze_shape(shape.raw, parameters, {});
-  for (const auto& of_faces : SM::read_human_segmentations(data, number, mesh.faces.size()))
+  for (const auto& of_faces : SM::read_annotations(data, number, mesh.faces.size()))
   {
-    Human human;
-    for (const std::size_t f : shape.faces) human.labels.push_back(of_faces[f]);
-    model.humans.push_back(std::move(human));
+    Annotator annotator;
+    for (const std::size_t f : shape.faces) annotator.labels.push_back(of_faces[f]);
+    model.annotators.push_back(std::move(annotator));
   }
   count_patches(model);
   return model;
@@ -104,13 +104,13 @@ double rand_error(const Model& model, const std::vector<double>& sizes, const Ov
 {
   double within = 0., sum = 0.;
   for (const double size : sizes) within += pairs(size);
-  for (const Human& human : model.humans)
+  for (const Annotator& annotator : model.annotators)
   {
     double common = 0.;
-    for (const auto& entry : overlaps(human)) common += pairs(entry.second);
-    sum += (within + human.pairs_within - 2. * common) / pairs(model.elements);
+    for (const auto& entry : overlaps(annotator)) common += pairs(entry.second);
+    sum += (within + annotator.pairs_within - 2. * common) / pairs(model.elements);
   }
-  return sum / static_cast<double>(model.humans.size());
+  return sum / static_cast<double>(model.annotators.size());
 }
 
 /// 1 - Rand Index of regions of patches, the mean over the model's people.
@@ -120,11 +120,11 @@ inline double rand_error(const Model& model, const std::vector<int>& region_of_p
   for (std::size_t p = 0; p < region_of_patch.size(); ++p)
     sizes[static_cast<std::size_t>(region_of_patch[p])] += model.patch_sizes[p];
   return rand_error(model, sizes,
-                    [&](const Human& human)
+                    [&](const Annotator& annotator)
                     {
                       std::map<std::pair<int, int>, double> overlaps;
                       for (std::size_t p = 0; p < region_of_patch.size(); ++p)
-                        for (const auto& [label, count] : human.of_patch[p])
+                        for (const auto& [label, count] : annotator.of_patch[p])
                           overlaps[{region_of_patch[p], label}] += count;
                       return overlaps;
                     });
@@ -152,11 +152,11 @@ inline double rand_error_of_labels(const Model& model, const std::vector<int>& l
     sizes[static_cast<std::size_t>(l)] += 1.;
   }
   return rand_error(model, sizes,
-                    [&](const Human& human)
+                    [&](const Annotator& annotator)
                     {
                       std::map<std::pair<int, int>, double> overlaps;
                       for (std::size_t e = 0; e < labels.size(); ++e)
-                        overlaps[{labels[e], human.labels[e]}] += 1.;
+                        overlaps[{labels[e], annotator.labels[e]}] += 1.;
                       return overlaps;
                     });
 }

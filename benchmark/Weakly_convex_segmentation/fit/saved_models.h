@@ -102,9 +102,9 @@ inline void save(Model& model, const std::filesystem::path& folder)
   Archive<std::ofstream> archive(out);
   archive(*model.shape);
   archive(visibility);
-  std::size_t humans = model.humans.size();
-  archive(humans);
-  for (Human& human : model.humans) archive(human.labels);
+  std::size_t annotators = model.annotators.size();
+  archive(annotators);
+  for (Annotator& annotator : model.annotators) archive(annotator.labels);
   if (!out.flush()) throw std::runtime_error("can't write to " + folder.string());
 }
 
@@ -136,10 +136,10 @@ inline Model load_saved(const std::filesystem::path& folder, const int number,
   std::size_t next = 0;
   for (int a = 0; a < count; ++a)
     for (int b = a + 1; b < count; ++b) shape.visibility().remember(a, b, visibility[next++]);
-  std::size_t humans = 0;
-  archive(humans);
-  model.humans.resize(humans);
-  for (Human& human : model.humans) archive(human.labels);
+  std::size_t annotators = 0;
+  archive(annotators);
+  model.annotators.resize(annotators);
+  for (Annotator& annotator : model.annotators) archive(annotator.labels);
   count_patches(model);
   return model;
 }

@@ -29,7 +29,7 @@ namespace Segmentation_metrics {
 namespace internal {
 
 // The benchmark numbers its models from 1 to 400 in runs of 20 a category. The run of the springs
-// was left out of the study, it has no human segmentations.
+// was left out of the study, it has no segmentations by people.
 constexpr int models_per_category = 20;
 constexpr int number_of_runs = 20;
 constexpr int run_of_springs = 13;
@@ -186,9 +186,9 @@ inline Segmentation read_seg(const std::filesystem::path& path, std::size_t numb
   return segmentation;
 }
 
-// The human segmentations of a model in the order of their numbers, which may have gaps.
-inline std::vector<Segmentation> read_human_segmentations(const std::filesystem::path& directory,
-                                                          int model, std::size_t number_of_faces)
+// The segmentations by people of a model in the order of their numbers, which may have gaps.
+inline std::vector<Segmentation> read_annotations(const std::filesystem::path& directory, int model,
+                                                  std::size_t number_of_faces)
 {
   const std::filesystem::path folder = directory / "seg" / "Benchmark" / std::to_string(model);
   if (!std::filesystem::is_directory(folder))
@@ -200,7 +200,7 @@ inline std::vector<Segmentation> read_human_segmentations(const std::filesystem:
     if (const auto number = internal::segmentation_number(entry.path(), model))
       paths.emplace(*number, entry.path());
   if (paths.empty())
-    throw std::runtime_error("There are no human segmentations in " + folder.string() +
+    throw std::runtime_error("There are no segmentations by people in " + folder.string() +
                              ": unpack the archive of the benchmark again.");
   std::vector<Segmentation> segmentations;
   for (const auto& [number, path] : paths) segmentations.push_back(read_seg(path, number_of_faces));
@@ -213,7 +213,7 @@ struct Benchmark_model
   int number = 0;
   Mesh mesh;
   Mesh_geometry geometry;
-  std::vector<Prepared_segmentation> humans;
+  std::vector<Prepared_segmentation> annotators;
 };
 
 inline bool is_in_benchmark(int model)
@@ -249,9 +249,8 @@ inline Benchmark_model read_benchmark_model(const std::filesystem::path& directo
   model.number = number;
   model.mesh = read_off(directory / "off" / (std::to_string(number) + ".off"));
   model.geometry = compute_mesh_geometry(model.mesh);
-  for (const Segmentation& human :
-       read_human_segmentations(directory, number, model.mesh.faces.size()))
-    model.humans.push_back(prepare(model.geometry, human));
+  for (const Segmentation& annotator : read_annotations(directory, number, model.mesh.faces.size()))
+    model.annotators.push_back(prepare(model.geometry, annotator));
   return model;
 }
 
@@ -296,30 +295,31 @@ private:
   std::size_t m_cut_count = 0;
 };
 
-// The average over the human segmentations of the model.
-inline Scores score_against_humans(const Benchmark_model& model, const Segmentation& candidate,
-                                   Pair_count pair_count = Pair_count::exact)
+// The average over the segmentations by people of the model.
+inline Scores score_against_annotators(const Benchmark_model& model, const Segmentation& candidate,
+                                       Pair_count pair_count = Pair_count::exact)
 {
   const Prepared_segmentation prepared = prepare(model.geometry, candidate);
   Mean_scores mean;
-  for (const Prepared_segmentation& human : model.humans)
-    mean.add(score(model.geometry, prepared, human, pair_count));
+  for (const Prepared_segmentation& annotator : model.annotators)
+    mean.add(score(model.geometry, prepared, annotator, pair_count));
   return mean.mean();
 }
 
 // People against people, the bound below which no method is expected: the average over all
-// unordered pairs of human segmentations. Every pair is scored in both directions, so that the
+// unordered pairs of segmentations by people. Every pair is scored in both directions, so that the
 // missing and false alarm rates and the number of segments don't depend on the order of the files.
-inline Scores score_people(const Benchmark_model& model, Pair_count pair_count = Pair_count::exact)
+inline Scores score_annotators(const Benchmark_model& model,
+                               Pair_count pair_count = Pair_count::exact)
 {
-  if (model.humans.size() < 2)
+  if (model.annotators.size() < 2)
     throw std::invalid_argument("Model " + std::to_string(model.number) +
                                 " has fewer than two "
-                                "human segmentations, so there are no pairs: leave it out.");
+                                "segmentations by people, so there are no pairs: leave it out.");
   Mean_scores mean;
-  for (const Prepared_segmentation& human : model.humans)
-    for (const Prepared_segmentation& other : model.humans)
-      if (&human != &other) mean.add(score(model.geometry, human, other, pair_count));
+  for (const Prepared_segmentation& annotator : model.annotators)
+    for (const Prepared_segmentation& other : model.annotators)
+      if (&annotator != &other) mean.add(score(model.geometry, annotator, other, pair_count));
   return mean.mean();
 }
 

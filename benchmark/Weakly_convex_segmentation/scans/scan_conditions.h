@@ -130,14 +130,14 @@ inline double rand_error(const SM::Benchmark_model& model, const Scan& scan,
 {
   const auto pairs = [](const double n) { return 0.5 * n * (n - 1.); };
   double sum = 0.;
-  for (const auto& human : model.humans)
+  for (const auto& annotator : model.annotators)
   {
     std::map<int, double> ours;
     std::map<std::size_t, double> theirs;
     std::map<std::pair<int, std::size_t>, double> both;
     for (std::size_t i = 0; i < labels.size(); ++i)
     {
-      const std::size_t truth = human.labels[scan.faces[i]];
+      const std::size_t truth = annotator.labels[scan.faces[i]];
       ours[labels[i]] += 1.;
       theirs[truth] += 1.;
       both[{labels[i], truth}] += 1.;
@@ -148,7 +148,7 @@ inline double rand_error(const SM::Benchmark_model& model, const Scan& scan,
     for (const auto& entry : both) apart -= 2. * pairs(entry.second);
     sum += apart / (std::max)(pairs(static_cast<double>(labels.size())), 1.);
   }
-  return sum / static_cast<double>(model.humans.size());
+  return sum / static_cast<double>(model.annotators.size());
 }
 
 } // namespace Scan_conditions

@@ -5,6 +5,12 @@
 #define TEST_FUZZ_READERS_H
 
 #include "../pcd_files.h"
+#include "io/read_obj.h"
+#include "io/read_off.h"
+#include "io/read_pcd.h"
+#include "io/read_ply.h"
+#include "io/read_stl.h"
+#include "io/read_xyz.h"
 #include "io/separate_parts.h"
 #include "io/shape_io.h"
 

@@ -4,7 +4,6 @@
 // Calls that the compiler has to refuse, each with one error. Without WRONG it has to accept the rest. See
 // run.cmake, which reads what is expected after "error:" in the comments.
 
-#include "baselines/lines_of_sight_decomposition.h"
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -19,7 +18,6 @@ namespace WCS = CGAL::Weakly_convex_segmentation;
 namespace NP = CGAL::parameters;
 using CGAL::weakly_convex_segmentation;
 using CGAL::weakly_convex_segmentation_of_soup;
-using WCS::lines_of_sight_decomposition;
 using WCS::Segmenter;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -90,7 +88,5 @@ void wrong(const Mesh& mesh, const Face_labels labels, const Vertex_labels verte
   of_mesh.segment(NP::random_seed(1));
   // error: one of the named parameters is not read here
   weakly_convex_segmentation_of_soup(points, triangles, NP::normal_map(second));
-  // error: one of the named parameters is not read here
-  lines_of_sight_decomposition(mesh, labels, {}, NP::maximum_number_of_segments(3));
 }
 #endif

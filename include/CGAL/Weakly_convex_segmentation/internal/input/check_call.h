@@ -158,17 +158,13 @@ struct Key_of<Mesh, false>
 template <typename NP, typename... Names>
 constexpr bool has_any = (is_given<NP, Names> || ...);
 
-/// in place of `names::Name`, where the names of ours are not read
-struct No_name
-{};
-
 /// whether the named parameters are those that are read for any input, or these
-template <typename NP, typename Own, typename... Names>
+template <typename NP, typename... Names>
 constexpr bool has_no_others =
-    Has_only<NP, Own, CGAL::internal_np::callback_t, CGAL::internal_np::visitor_t,
+    Has_only<NP, names::Name, CGAL::internal_np::callback_t, CGAL::internal_np::visitor_t,
              CGAL::internal_np::random_seed_t, CGAL::internal_np::geom_traits_t, Names...>::value;
 
-template <typename Traits, typename Range, typename NP, typename Own>
+template <typename Traits, typename Range, typename NP>
 constexpr Mistake mistake_in_points()
 {
   namespace np = CGAL::internal_np;
@@ -176,7 +172,7 @@ constexpr Mistake mistake_in_points()
   using Point_map = decltype(point_map_of(std::declval<const Range&>(), std::declval<const NP&>()));
   if constexpr (has_any<NP, np::vertex_point_t, np::face_index_t>)
     return Mistake::MESH_MAPS_OF_POINTS;
-  else if constexpr (!has_no_others<NP, Own, np::point_t, np::normal_t>)
+  else if constexpr (!has_no_others<NP, np::point_t, np::normal_t>)
     return Mistake::UNKNOWN_NAME;
   else if constexpr (!Gives_coordinates<Traits, Point_map, Element>::value)
     return Mistake::NO_POINTS;
@@ -191,7 +187,7 @@ constexpr Mistake mistake_in_points()
     return Mistake::NONE;
 }
 
-template <typename NP, typename Own>
+template <typename NP>
 constexpr Mistake mistake_in_point_set()
 {
   namespace np = CGAL::internal_np;
@@ -200,10 +196,10 @@ constexpr Mistake mistake_in_point_set()
   else if constexpr (has_any<NP, np::vertex_point_t, np::face_index_t>)
     return Mistake::MESH_MAPS_OF_POINTS;
   else
-    return has_no_others<NP, Own> ? Mistake::NONE : Mistake::UNKNOWN_NAME;
+    return has_no_others<NP> ? Mistake::NONE : Mistake::UNKNOWN_NAME;
 }
 
-template <typename Traits, typename Mesh, typename NP, typename Own>
+template <typename Traits, typename Mesh, typename NP>
 constexpr Mistake mistake_in_mesh()
 {
   namespace np = CGAL::internal_np;
@@ -211,7 +207,7 @@ constexpr Mistake mistake_in_mesh()
   using Points = decltype(vertex_points_of(std::declval<const Mesh&>(), std::declval<const NP&>()));
   if constexpr (has_any<NP, np::point_t, np::normal_t>)
     return Mistake::POINT_MAPS_OF_MESH;
-  else if constexpr (!has_no_others<NP, Own, np::vertex_point_t, np::face_index_t>)
+  else if constexpr (!has_no_others<NP, np::vertex_point_t, np::face_index_t>)
     return Mistake::UNKNOWN_NAME;
   else
     return Gives_coordinates<Traits, Points, Vertex>::value ? Mistake::NONE
@@ -219,7 +215,7 @@ constexpr Mistake mistake_in_mesh()
 }
 
 /// for a `Segmenter`, and with `level` for where there is a label map
-template <typename Input, typename NP, bool has_level = false, typename Own = names::Name>
+template <typename Input, typename NP, bool has_level = false>
 constexpr Mistake mistake_in_input()
 {
   if constexpr (!Is_named_parameters<NP>::value)
@@ -230,20 +226,20 @@ constexpr Mistake mistake_in_input()
     if constexpr (!has_level && is_given<NP, names::level_t>)
       return Mistake::UNKNOWN_NAME;
     else if constexpr (Is_point_set<Input>::value)
-      return mistake_in_point_set<NP, Own>();
+      return mistake_in_point_set<NP>();
     else if constexpr (Is_range<Input>::value)
-      return mistake_in_points<Traits, Input, NP, Own>();
+      return mistake_in_points<Traits, Input, NP>();
     else if constexpr (Is_mesh<Input>::value)
-      return mistake_in_mesh<Traits, Input, NP, Own>();
+      return mistake_in_mesh<Traits, Input, NP>();
     else
       return Mistake::NO_SHAPE;
   }
 }
 
-template <typename Input, typename LabelMap, typename NP, typename Own = names::Name>
+template <typename Input, typename LabelMap, typename NP>
 constexpr Mistake mistake_in_call()
 {
-  constexpr Mistake mistake = mistake_in_input<Input, NP, true, Own>();
+  constexpr Mistake mistake = mistake_in_input<Input, NP, true>();
   if constexpr (mistake != Mistake::NONE)
     return mistake;
   else

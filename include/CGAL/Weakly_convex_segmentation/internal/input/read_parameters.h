@@ -52,13 +52,6 @@ Run_control read_control(const NamedParameters& np)
   return control;
 }
 
-template <typename NamedParameters>
-unsigned int read_seed(const NamedParameters& np, const Parameters& parameters)
-{
-  return static_cast<unsigned int>(CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed), parameters.seed));
-}
-
 /// reads the named parameters that are members of `Parameters`.
 /// \throws std::invalid_argument if a number of segments is negative
 template <typename NamedParameters>
@@ -68,7 +61,8 @@ Parameters read_parameters(const NamedParameters& np, const Parameters& defaults
   using CGAL::parameters::get_parameter;
   Parameters result =
       choose_parameter(get_parameter(np, names::segmentation_parameters_t()), defaults);
-  result.seed = read_seed(np, result);
+  result.seed = static_cast<unsigned int>(
+      choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), result.seed));
   result.minimum_segment_share = choose_parameter(
       get_parameter(np, names::minimum_segment_share_t()), result.minimum_segment_share);
   if constexpr (is_given<NamedParameters, names::maximum_number_of_segments_t>)

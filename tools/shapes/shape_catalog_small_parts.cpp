@@ -1,21 +1,18 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_SHAPES_SHAPE_CATALOG_SMALL_PARTS_H
-#define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_SHAPES_SHAPE_CATALOG_SMALL_PARTS_H
-
 #include "shapes/shape_catalog.h"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
-
-// More of the catalogue: the shapes with many, thin or small parts.
 
 namespace Shape_generator {
 namespace internal {
 
-inline Implicit_shape airplane()
+Implicit_shape airplane()
 {
   Implicit_shape shape(0.012);
   shape.add_limb(shape.add_part("fuselage"), {{{0.5, 0, -0.012}, 0.02},
@@ -40,7 +37,7 @@ inline Implicit_shape airplane()
   return shape;
 }
 
-inline Implicit_shape octopus()
+Implicit_shape octopus()
 {
   Implicit_shape shape(0.03);
   shape.add_limb(shape.add_part("head"), {{{0, 0, 0.25}, 0.13},
@@ -64,7 +61,7 @@ inline Implicit_shape octopus()
   return shape;
 }
 
-inline Implicit_shape hand()
+Implicit_shape hand()
 {
   Implicit_shape shape(0.02);
   shape.add<Prism>(shape.add_part("palm"), Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 0, 1},
@@ -94,7 +91,7 @@ inline Implicit_shape hand()
   return shape;
 }
 
-inline Implicit_shape ant()
+Implicit_shape ant()
 {
   Implicit_shape shape(0.012);
   const std::size_t head = shape.add_part("head");
@@ -129,7 +126,7 @@ inline Implicit_shape ant()
   return shape;
 }
 
-inline Implicit_shape pliers()
+Implicit_shape pliers()
 {
   Implicit_shape shape(0.012);
   const double pi = std::acos(-1.);
@@ -154,7 +151,7 @@ inline Implicit_shape pliers()
   return shape;
 }
 
-inline Implicit_shape glasses()
+Implicit_shape glasses()
 {
   Implicit_shape shape(0.012);
   shape.add_limb(
@@ -176,5 +173,3 @@ inline Implicit_shape glasses()
 
 } // namespace internal
 } // namespace Shape_generator
-
-#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_SHAPES_SHAPE_CATALOG_SMALL_PARTS_H
