@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Lines_of_sight_decomposition
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "baselines/lines_of_sight_decomposition.h"
 #include <CGAL/Simple_cartesian.h>
@@ -19,6 +18,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_lines_of_sight_decomposition)
 
 namespace {
 
@@ -207,3 +208,5 @@ BOOST_AUTO_TEST_CASE(few_points_and_cancellation)
                     WCS::Canceled);
   BOOST_TEST(written.empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

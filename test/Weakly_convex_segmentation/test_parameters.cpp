@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Parameters
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
@@ -24,6 +23,8 @@
 #include <vector>
 
 // Every parameter is range-checked by name, and every parameter changes something.
+
+BOOST_AUTO_TEST_SUITE(test_parameters)
 
 namespace {
 
@@ -266,8 +267,8 @@ Result segment_bare_plate(const Parameters& parameters)
   for (const auto& p : Shape_generator::make_cloud("thin_plate", 3000, 1).points)
     points.emplace_back(p[0], p[1], p[2]);
   return segment_points(
-      read_input<CGAL::Sequential_tag>(points, CGAL::parameters::default_values()),
-      parameters, Run_control());
+      read_input<CGAL::Sequential_tag>(points, CGAL::parameters::default_values()), parameters,
+      Run_control());
 }
 
 Result segment_shape(const std::string& name, const Parameters& parameters)
@@ -370,3 +371,5 @@ BOOST_AUTO_TEST_CASE(every_parameter_changes_something)
   BOOST_CHECK(numbers(segment_points(shape("hand"), parameters, Run_control())) !=
               known.at("paper hand"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
