@@ -30,6 +30,6 @@ number_of_jobs()
 # The files whose layout .clang-format rules.
 our_sources()
 {
-  find include tools examples test benchmark \( -name '*.h' -o -name '*.cpp' \) -not -path '*/build*' |
+  find include tools examples test benchmark cmake \( -name '*.h' -o -name '*.cpp' \) -not -path '*/build*' |
     sort
 }

@@ -306,9 +306,11 @@ void score(const std::filesystem::path& folder, const Tree_tables& tables,
                          fitted_regions(own, tables.of_model(model.number), thresholds[i]);
                      fitted[i].add(model, error(model, regions), regions);
                    }
-                   const auto regions = WCS::internal::regions_at(
-                       WCS::internal::contract_patches(*model.shape, parameters, {}).tree,
-                       WCS::Level::SEGMENTS);
+                   const auto labels = WCS::internal::segments_of_patches(
+                       *model.shape, model.shape->patch_sets.front(), parameters, {}, {});
+                   std::vector<int> regions; // of the patches
+                   for (const auto& members : model.shape->patches().members)
+                     regions.push_back(labels[members.front()]);
                    plain.add(model, error(model, regions), regions);
                  });
   plain.print("default");

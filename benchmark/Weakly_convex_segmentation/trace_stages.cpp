@@ -135,20 +135,17 @@ Json trace(const Shape_io::Shape& mesh, const WCS::Parameters& parameters)
       WCS::internal::read_soup(mesh.points, mesh.polygons,
                                CGAL::Identity_property_map<Shape_io::Point>()),
       parameters, control);
-  const auto contraction = WCS::internal::contract_patches(*shape, parameters, control);
-  const std::vector<int> regions =
-      WCS::internal::regions_at(contraction.tree, WCS::Level::SEGMENTS);
-  WCS::Parameters unrefined = parameters;
-  unrefined.refinement = WCS::Refinement_rule::NONE;
-  const auto finish = [&](const WCS::Parameters& p)
-  { return WCS::internal::finish_segmentation(*shape, contraction, regions, p, control); };
-  const WCS::Result result = finish(parameters);
+  const WCS::Result result = WCS::internal::segment_shape(*shape, parameters, control);
+  const WCS::Merge_tree& tree = result.merge_tree;
+  const std::vector<int> regions = tree.labels_after(tree.number_of_accepted_merges());
+  std::vector<int> merged; // segments before refinement
+  for (const int patch : result.patches) merged.push_back(regions[patch]);
   Json points = Json::array(), ranks = Json::array();
   for (const auto& p : mesh.points) points.push_back({p.x(), p.y(), p.z()});
   for (const WCS::Segment& s : result.segments) ranks.push_back(s.convexity_rank);
   return {{"points", points},
           {"faces", mesh.polygons},
-          {"labels", labels_of(result, finish(unrefined).labels)},
+          {"labels", labels_of(result, merged)},
           {"convexity_ranks", ranks},
           {"lines", lines_of_sight(*shape, 2)},
           {"visibility", visibility(*shape)},

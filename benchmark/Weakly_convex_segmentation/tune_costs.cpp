@@ -83,7 +83,7 @@ std::vector<int> merged_regions(const Prepared& p, const WCS::Parameters& parame
   const WCS::internal::Histogram_scale scale;
   WCS::internal::Region_graph graph(*p.graph);
   const auto& shape = *p.model.shape;
-  const WCS::internal::Region_cost cost(graph, shape.patches(), shape.diameters, scale, parameters);
+  const WCS::internal::Region_cost cost(graph, shape.patches(), shape.diameters, scale);
   WCS::Merge_tree tree(shape.patches().size());
   const WCS::internal::Contraction_log log{tree, nullptr};
   const double threshold = parameters.merging_threshold;

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Allocation_failure
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>
@@ -17,6 +16,8 @@
 #include <vector>
 
 // Whichever allocation fails, and wherever the run is stopped, the caller's labels stay as they were.
+
+BOOST_AUTO_TEST_SUITE(test_allocation_failure)
 
 namespace {
 
@@ -111,3 +112,5 @@ BOOST_AUTO_TEST_CASE(labels_stay_when_the_run_is_stopped)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

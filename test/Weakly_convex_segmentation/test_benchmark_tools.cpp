@@ -4,8 +4,7 @@
 // What the benchmark is made of: methods in processes of their own, pictures, and the programs and the
 // runner on a small benchmark that is made here.
 
-#define BOOST_TEST_MODULE Benchmark_tools
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "common/run_in_child_process.h"
 #include "report/draw_parts.h"
@@ -26,6 +25,8 @@
 #include <vector>
 
 #include <sys/wait.h>
+
+BOOST_AUTO_TEST_SUITE(test_benchmark_tools)
 
 namespace {
 
@@ -320,3 +321,5 @@ BOOST_AUTO_TEST_CASE(the_stages_of_a_mesh_are_traced)
   BOOST_TEST(exit_code(folder, program("trace_stages") + " no_such_shape no.json") == 1);
   BOOST_TEST(!folder.has("no.json"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

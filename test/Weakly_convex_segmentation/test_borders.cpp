@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Borders
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 
@@ -22,6 +21,8 @@
 #include <vector>
 
 // Border refinement (section 5, equations 3-5) by seam cuts and by alpha expansion.
+
+BOOST_AUTO_TEST_SUITE(test_borders)
 
 namespace {
 
@@ -391,3 +392,5 @@ BOOST_AUTO_TEST_CASE(alpha_expansion_is_as_good_as_that_of_cgal)
       BOOST_CHECK_LT(std::abs(problem.energy(labels) - of_cgal), 0.01 * of_cgal);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Cgal_faults
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -36,6 +35,8 @@
 // What no test knows is only told: of other versions, the table is what this program is for.
 //
 // A fault may be a crash, so each is shown in a process of its own.
+
+BOOST_AUTO_TEST_SUITE(test_cgal_faults)
 
 namespace {
 
@@ -286,3 +287,5 @@ BOOST_AUTO_TEST_CASE(memory)
   tell("Kd_tree where memory runs out", in_child([] { return losses(&build_search_tree); }),
        "0 losses", Seen::IN_ALL);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

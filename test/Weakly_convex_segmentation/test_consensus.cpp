@@ -1,11 +1,11 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Consensus
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 
+#include "compiled_core.h"
 #include "shapes_for_tests.h"
 
 #include <algorithm>
@@ -17,6 +17,8 @@
 #include <vector>
 
 // What several segmentations agree on, and how the pipeline makes use of it.
+
+BOOST_AUTO_TEST_SUITE(test_consensus)
 
 namespace {
 
@@ -45,7 +47,7 @@ bool are_one_partition(const Labels& a, const Labels& b)
 
 Result segmented(const Shape_generator::Labeled_mesh& mesh, const Parameters& parameters)
 {
-  return segment_points(points_of_mesh(mesh), parameters, {});
+  return Compiled_core::segment_points(points_of_mesh(mesh), parameters, {});
 }
 
 } // namespace
@@ -210,3 +212,5 @@ BOOST_AUTO_TEST_CASE(the_segments_are_steadier_than_those_of_one_set)
                                               << " of three");
   BOOST_CHECK_LT(of_three, of_one);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Control
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>
@@ -22,6 +21,8 @@
 #include <vector>
 
 // How a run is watched, stopped and repeated: visitor, callback, seed, threads.
+
+BOOST_AUTO_TEST_SUITE(test_control)
 
 namespace {
 
@@ -326,3 +327,5 @@ BOOST_AUTO_TEST_CASE(two_threads_do_not_disturb_each_other)
   for (std::size_t i = 0; i < presets.size(); ++i)
     BOOST_CHECK(equal(results[i], segment(presets[i], maps())));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Cost_merging
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Region_cost.h>
 
@@ -19,6 +18,8 @@
 
 // The terms of the default's cost on two regions that are laid by hand: a tube that goes on, bends,
 // becomes thicker, is split along, or meets a joint.
+
+BOOST_AUTO_TEST_SUITE(test_cost_merging)
 
 namespace {
 
@@ -243,3 +244,5 @@ BOOST_AUTO_TEST_CASE(no_cost_above_the_threshold)
   BOOST_CHECK_EQUAL(bounded(0, 1, weights, cost + 1e-9), cost);
   BOOST_CHECK_EQUAL(bounded(0, 1, weights, cost - 1e-9), std::numeric_limits<double>::infinity());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

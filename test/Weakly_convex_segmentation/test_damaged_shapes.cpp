@@ -1,13 +1,13 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Damaged_shapes
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include "check_result.h"
+#include "compiled_core.h"
 #include "shapes_for_tests.h"
 
 #include <algorithm>
@@ -23,6 +23,8 @@
 
 // Properties: whatever is done to a shape, everything gets a label, and what says the same gets the
 // same labels.
+
+BOOST_AUTO_TEST_SUITE(test_damaged_shapes)
 
 namespace {
 
@@ -252,10 +254,10 @@ BOOST_AUTO_TEST_CASE(inward_normals_of_closed_clouds_are_turned)
   for (const char* name : {"hand", "dumbbell"})
   {
     Raw_shape raw = cloud(name, 3000);
-    const Result usual = WCS::internal::segment_points(raw, {}, {});
+    const Result usual = Compiled_core::segment_points(raw, {}, {});
     BOOST_CHECK(!usual.has_flipped_normals);
     for (auto& n : raw.normals) n = {-n[0], -n[1], -n[2]};
-    const Result turned = WCS::internal::segment_points(raw, {}, {});
+    const Result turned = Compiled_core::segment_points(raw, {}, {});
     BOOST_CHECK(turned.has_flipped_normals);
     BOOST_CHECK_LT(rand_distance(turned.labels, usual.labels), 0.02);
   }
@@ -264,7 +266,7 @@ BOOST_AUTO_TEST_CASE(inward_normals_of_closed_clouds_are_turned)
   bowl.positions.resize(1000);
   bowl.normals.resize(1000);
   for (auto& n : bowl.normals) n = {-n[0], -n[1], -n[2]};
-  BOOST_CHECK(!WCS::internal::segment_points(bowl, {}, {}).has_flipped_normals);
+  BOOST_CHECK(!Compiled_core::segment_points(bowl, {}, {}).has_flipped_normals);
 }
 
 BOOST_AUTO_TEST_CASE(estimated_normals_of_all_pieces_point_outwards)
@@ -314,3 +316,5 @@ BOOST_AUTO_TEST_CASE(long_bars_are_one_segment)
         BOOST_CHECK_EQUAL(result.number_of_segments(), 1u); // a bar is convex
       }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

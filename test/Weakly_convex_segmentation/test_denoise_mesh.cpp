@@ -1,12 +1,11 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Mesh_noise
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/input/denoise_mesh.h>
-#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 
+#include "compiled_core.h"
 #include "shapes_for_tests.h"
 
 #include <algorithm>
@@ -19,6 +18,8 @@
 #include <vector>
 
 // Meshes whose vertices have noise, also more than their walls are thick.
+
+BOOST_AUTO_TEST_SUITE(test_denoise_mesh)
 
 namespace {
 
@@ -147,11 +148,15 @@ BOOST_AUTO_TEST_CASE(parts_under_much_noise_are_those_of_the_shape)
       const auto mesh = Shape_generator::make_mesh(name, 12000);
       const Raw_shape rough = faces_of_mesh(shaken(mesh, 0.03, 6));
       Parameters parameters;
-      const auto error = [&](const Raw_shape& raw)
-      { return rand_distance(segment_points(raw, parameters, {}).labels, mesh.labels); };
+      const auto error = [&](const Raw_shape& raw) {
+        return rand_distance(Compiled_core::segment_points(raw, parameters, {}).labels,
+                             mesh.labels);
+      };
       BOOST_CHECK_LT(error(rough), error(faces_of_mesh(mesh)) + 0.06);
       parameters.denoise = false;
       BOOST_CHECK_GT(error(rough), 0.15);
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,12 +1,11 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Noise
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/denoise_points.h>
 
+#include "compiled_core.h"
 #include "shapes_for_tests.h"
 
 #include <algorithm>
@@ -21,6 +20,8 @@
 #include <vector>
 
 // Smoothing of what has too much noise, and of nothing else.
+
+BOOST_AUTO_TEST_SUITE(test_denoise_points)
 
 namespace {
 
@@ -199,10 +200,14 @@ BOOST_AUTO_TEST_CASE(parts_of_a_rough_mesh_are_those_of_the_smooth_one)
       const auto smooth = points_of_mesh(Shape_generator::make_mesh(name, 6000));
       const auto rough = points_of_mesh(shaken(Shape_generator::make_mesh(name, 6000), 0.006, 4));
       Parameters parameters;
-      const auto wanted = segment_points(smooth, parameters, {}).labels;
-      BOOST_CHECK_LT(rand_distance(segment_points(rough, parameters, {}).labels, wanted), 0.06);
+      const auto wanted = Compiled_core::segment_points(smooth, parameters, {}).labels;
+      BOOST_CHECK_LT(
+          rand_distance(Compiled_core::segment_points(rough, parameters, {}).labels, wanted), 0.06);
       parameters.denoise = false;
-      BOOST_CHECK_GT(rand_distance(segment_points(rough, parameters, {}).labels, wanted), 0.2);
+      BOOST_CHECK_GT(
+          rand_distance(Compiled_core::segment_points(rough, parameters, {}).labels, wanted), 0.2);
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Estimated normals
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/points/estimate_normals.h>
 
@@ -26,6 +25,8 @@
 #include <vector>
 
 // Normals of clouds that have none: their lines, and which of both ways they point.
+
+BOOST_AUTO_TEST_SUITE(test_estimated_normals)
 
 namespace {
 
@@ -335,3 +336,5 @@ BOOST_AUTO_TEST_CASE(every_step_can_be_interrupted)
   BOOST_CHECK_GE(all, 5u * 6000u / 1024u);
   for (last = 1; last <= all; ++last) BOOST_REQUIRE_THROW(run(), Canceled);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,7 @@
 
 // What files of the field look like: tables with columns of their own, PCD, OBJ of every kind, gaps.
 
-#define BOOST_TEST_MODULE Formats
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "io/read_obj.h"
 #include "io/read_off.h"
@@ -23,6 +22,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_formats)
 
 namespace {
 
@@ -292,3 +293,5 @@ BOOST_AUTO_TEST_CASE(binary_stl_holds_what_it_tells)
   failure("a.stl", file(0, 0));
   failure("a.stl", std::string(83, 'x'));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Fuzz_readers
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "fuzz/fuzz_readers.h"
 
@@ -14,6 +13,8 @@
 
 // A bounded run of what the fuzzer of the readers runs, without libFuzzer: sound files, and those files
 // damaged at random.
+
+BOOST_AUTO_TEST_SUITE(test_fuzz_readers)
 
 namespace {
 
@@ -75,3 +76,5 @@ BOOST_AUTO_TEST_CASE(damaged_files_are_read_or_refused)
   BOOST_CHECK_GT(answers, runs / 20);
   BOOST_CHECK_LT(answers, runs);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

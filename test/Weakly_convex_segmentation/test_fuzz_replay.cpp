@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Fuzz_replay
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "fuzz/fuzz_library.h"
 
@@ -12,6 +11,8 @@
 #include <vector>
 
 // A bounded run of what the fuzzer runs, without libFuzzer: random bytes of every kind of shape.
+
+BOOST_AUTO_TEST_SUITE(test_fuzz_replay)
 
 BOOST_AUTO_TEST_CASE(random_bytes_are_segmented_or_refused)
 {
@@ -32,3 +33,5 @@ BOOST_AUTO_TEST_CASE(random_bytes_are_segmented_or_refused)
   BOOST_CHECK_GT(answers, seeds / 4); // not everything is refused
   BOOST_CHECK_LT(answers, seeds);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Hostile_input
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Simple_cartesian.h>
@@ -10,6 +9,7 @@
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include "check_result.h"
+#include "compiled_core.h"
 #include "shapes_for_tests.h"
 
 #include <array>
@@ -23,6 +23,8 @@
 #include <vector>
 
 // What no shape should be, but inputs are: everything gets a label, or the input is refused.
+
+BOOST_AUTO_TEST_SUITE(test_hostile_input)
 
 namespace {
 
@@ -41,14 +43,14 @@ void check_all_labeled(const Raw_shape& raw, const std::string& what)
   BOOST_TEST_CONTEXT(what)
   {
     for (const Parameters& preset : presets)
-      check_result(WCS::internal::segment_points(raw, preset, {}), raw.positions.size());
+      check_result(Compiled_core::segment_points(raw, preset, {}), raw.positions.size());
   }
 }
 
 void check_refused(const Raw_shape& raw)
 {
   for (const Parameters& preset : presets)
-    BOOST_CHECK_THROW(WCS::internal::segment_points(raw, preset, {}), std::invalid_argument);
+    BOOST_CHECK_THROW(Compiled_core::segment_points(raw, preset, {}), std::invalid_argument);
 }
 
 /// random points in a box with random normals
@@ -141,7 +143,7 @@ BOOST_AUTO_TEST_CASE(equal_points)
     check_result(CGAL::weakly_convex_segmentation(points_of(repeated(seven, n)), No_map()), n);
   }
   const Raw_shape many = repeated(seven, 30000); // these are thinned
-  const Result result = WCS::internal::segment_points(many, Parameters(), {});
+  const Result result = Compiled_core::segment_points(many, Parameters(), {});
   check_result(result, 30000);
   for (std::size_t i = 7; i < 30000; ++i)
     BOOST_REQUIRE_EQUAL(result.labels[i], result.labels[i % 7]);
@@ -175,14 +177,14 @@ BOOST_AUTO_TEST_CASE(flipped_normals)
 
 BOOST_AUTO_TEST_CASE(extreme_coordinates)
 {
-  const Result usual = WCS::internal::segment_points(two_balls(1., 0.), Parameters(), {});
+  const Result usual = Compiled_core::segment_points(two_balls(1., 0.), Parameters(), {});
   BOOST_CHECK_EQUAL(usual.number_of_segments(), 2u);
   for (const double scale : {1e-9, 1e9, 1e-150, 1e150})
   {
-    const Result result = WCS::internal::segment_points(two_balls(scale, 0.), Parameters(), {});
+    const Result result = Compiled_core::segment_points(two_balls(scale, 0.), Parameters(), {});
     BOOST_CHECK_LT(rand_distance(result.labels, usual.labels), 0.03);
   }
-  const Result far = WCS::internal::segment_points(two_balls(1., 1e7), Parameters(), {});
+  const Result far = Compiled_core::segment_points(two_balls(1., 1e7), Parameters(), {});
   BOOST_CHECK_LT(rand_distance(far.labels, usual.labels), 0.03);
   check_all_labeled(two_balls(1., 1e16), "offset beyond the precision");
   check_all_labeled(two_balls(1e-310, 0.), "denormal numbers");
@@ -331,7 +333,7 @@ BOOST_AUTO_TEST_CASE(thousands_of_pieces)
   {
     preset.maximum_number_of_segments = 3;    // whatever the distance
     preset.number_of_representatives = 20000; // fewer would run the pieces together
-    const Result result = WCS::internal::segment_points(spheres, preset, {});
+    const Result result = Compiled_core::segment_points(spheres, preset, {});
     check_result(result, spheres.positions.size());
     BOOST_CHECK_GE(result.merge_tree.number_of_patches(), 1500u);
     BOOST_CHECK_LE(result.number_of_segments(), 3u);
@@ -363,9 +365,11 @@ BOOST_AUTO_TEST_CASE(extreme_parameters)
     p.minimum_segment_share = pick({0., 0.01, 1.});
     p.maximum_number_of_segments = count({0, 1, 4});
     p.band_width = pick({0., 1e-6, 0.015, 1.});
-    const Result result = WCS::internal::segment_points(raw, p, {});
+    const Result result = Compiled_core::segment_points(raw, p, {});
     check_result(result, raw.positions.size());
     if (p.maximum_number_of_segments > 0)
       BOOST_CHECK_LE(result.number_of_segments(), p.maximum_number_of_segments);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,13 +1,12 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Input_stages
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
-#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/downsampling.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
 
+#include "compiled_core.h"
 #include "shapes_for_tests.h"
 
 #include <algorithm>
@@ -24,6 +23,8 @@
 #include <vector>
 
 // From the caller's points to the neighbor graph (sections 3 and 4).
+
+BOOST_AUTO_TEST_SUITE(test_input_stages)
 
 namespace {
 
@@ -500,8 +501,10 @@ BOOST_AUTO_TEST_CASE(a_turned_part_in_rings_has_the_parts_of_the_shape)
   const Raw_shape raw = rings(4., radius);
   CGAL::Weakly_convex_segmentation::Parameters parameters;
   parameters.number_of_patches = 40;
-  const auto labels = segment_points(raw, parameters, {}).labels;
+  const auto labels = Compiled_core::segment_points(raw, parameters, {}).labels;
   std::vector<int> wanted;
   for (const auto& p : raw.positions) wanted.push_back(p[0] < 1.99 ? 0 : 1);
   BOOST_CHECK_LT(rand_distance(labels, wanted), 0.05);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Interface
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -25,6 +24,8 @@
 #include <vector>
 
 // All kinds of input, as a user writes them, and what comes back.
+
+BOOST_AUTO_TEST_SUITE(test_interface)
 
 namespace {
 
@@ -334,3 +335,5 @@ BOOST_AUTO_TEST_CASE(convexity_rank_of_subsets)
   BOOST_CHECK_THROW(segmenter.convexity_rank(all, 0), std::invalid_argument);
   BOOST_CHECK_THROW(segmenter.convexity_rank(all, 100, 91.), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Known_shapes
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/weakly_convex_segmentation.h>
@@ -23,6 +22,8 @@
 #include <vector>
 
 // Whole runs on shapes whose parts are known, and what the parts must not depend on.
+
+BOOST_AUTO_TEST_SUITE(test_known_shapes)
 
 namespace {
 
@@ -304,3 +305,5 @@ BOOST_AUTO_TEST_CASE(borders_in_dense_points_are_where_the_shape_is_concave)
       BOOST_CHECK_LT(rand_distance(result.labels, cloud.labels), name == "hand" ? 0.06 : 0.015);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

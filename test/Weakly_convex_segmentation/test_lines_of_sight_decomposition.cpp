@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Lines_of_sight_decomposition
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "baselines/lines_of_sight_decomposition.h"
 #include "shapes_for_tests.h"
@@ -17,6 +16,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_lines_of_sight_decomposition)
 
 namespace {
 
@@ -133,3 +134,5 @@ BOOST_AUTO_TEST_CASE(few_points)
   too_few.number_of_samples = 1;
   BOOST_CHECK_THROW(decompose(*shape, too_few), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

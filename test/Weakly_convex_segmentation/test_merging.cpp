@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Merging
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/merging/paper_merging.h>
 
@@ -25,6 +24,8 @@
 
 // The region graph and its contraction, component fusion (section 4) and merging (section 5), and the
 // merge tree that they leave.
+
+BOOST_AUTO_TEST_SUITE(test_merging)
 
 namespace {
 
@@ -371,3 +372,5 @@ BOOST_AUTO_TEST_CASE(merge_tree_by_hand)
   BOOST_CHECK(tree.labels_at_cost(0.6) == tree.labels_after(4)); // beyond: more than 0.5
   BOOST_CHECK(Merge_tree().labels_after(3).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

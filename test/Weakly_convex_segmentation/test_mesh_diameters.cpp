@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Mesh_diameters
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
@@ -15,6 +14,7 @@
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include "check_result.h"
+#include "compiled_core.h"
 #include "shapes_for_tests.h"
 
 #include <algorithm>
@@ -26,6 +26,8 @@
 #include <vector>
 
 // CGAL's shape diameter function, and segmentations with it in place of our own diameters.
+
+BOOST_AUTO_TEST_SUITE(test_mesh_diameters)
 
 namespace {
 
@@ -71,7 +73,7 @@ Parameters preset(const std::string& name)
 std::unique_ptr<Shape_analysis> analyzed(const Shape_generator::Labeled_mesh& shape,
                                          const Parameters& parameters)
 {
-  return analyze_shape(faces_of_mesh(shape), parameters, Run_control());
+  return Compiled_core::analyze_shape(faces_of_mesh(shape), parameters, Run_control());
 }
 
 bool are_equal(const Ray_hit& a, const Ray_hit& b)
@@ -211,3 +213,5 @@ BOOST_AUTO_TEST_CASE(all_presets_have_sensible_parts_with_diameters_of_cgal)
         for (const Segment& s : result.segments) BOOST_CHECK_GT(s.diameter, 0.);
       }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Named_parameters
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,6 +22,8 @@
 #include <vector>
 
 // What named parameters say, in any order and to any function. Calls that are refused: wrong_calls/.
+
+BOOST_AUTO_TEST_SUITE(test_named_parameters)
 
 namespace {
 
@@ -288,3 +289,5 @@ BOOST_AUTO_TEST_CASE(indices_that_are_stored_nowhere)
                                            .normal_map(CGAL::Second_of_pair_property_map<Pair>()));
   BOOST_CHECK(equal(of_pairs, result));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

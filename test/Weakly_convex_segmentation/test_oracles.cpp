@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Oracles
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Simple_cartesian.h>
@@ -25,6 +24,8 @@
 #include <vector>
 
 // What a caller can put in the place of our line of sight, patch clustering, merge cost and diameters.
+
+BOOST_AUTO_TEST_SUITE(test_oracles)
 
 namespace {
 
@@ -288,3 +289,5 @@ BOOST_AUTO_TEST_CASE(diameters_come_from_the_map_that_is_given)
   const auto none = CGAL::weakly_convex_segmentation(mesh, map, NP::diameter_map(number(-1.)));
   for (const WCS::Segment& segment : none.segments) BOOST_CHECK_EQUAL(segment.diameter, 0.);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,8 +3,7 @@
 
 // What segment_shape writes besides the labeled shape: groups, files of single parts, hulls.
 
-#define BOOST_TEST_MODULE Outputs
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "io/part_hulls.h"
 #include "io/separate_parts.h"
@@ -20,6 +19,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_outputs)
 
 namespace {
 
@@ -308,3 +309,5 @@ BOOST_AUTO_TEST_CASE(nothing_is_left_when_the_system_refuses)
     BOOST_TEST(folder.number_of_files() == 0u);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

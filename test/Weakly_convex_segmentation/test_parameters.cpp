@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Parameters
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
@@ -24,6 +23,8 @@
 #include <vector>
 
 // Every parameter is range-checked by name, and every parameter changes something.
+
+BOOST_AUTO_TEST_SUITE(test_parameters)
 
 namespace {
 
@@ -303,3 +304,5 @@ BOOST_AUTO_TEST_CASE(assignments_of_a_command_line)
     BOOST_CHECK_THROW(Named_parameters::set_parameter(parameters, bad), std::invalid_argument);
   BOOST_CHECK_THROW(Named_parameters::get(parameters, "no_such"), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

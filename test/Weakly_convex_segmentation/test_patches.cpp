@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Patches
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
 
@@ -19,6 +18,8 @@
 #include <vector>
 
 // Initial patches (section 4): spectral clustering, supervoxels, and both together.
+
+BOOST_AUTO_TEST_SUITE(test_patches)
 
 namespace {
 
@@ -347,3 +348,5 @@ BOOST_AUTO_TEST_CASE(thousands_of_pieces_are_all_patches)
   check_partition(shape, patches);
   BOOST_CHECK_EQUAL(patches.size(), pieces);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

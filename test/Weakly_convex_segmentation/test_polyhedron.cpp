@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Polyhedron
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -29,6 +28,8 @@
 
 // Meshes other than Surface_mesh: handles instead of indices, other kernels; CGAL's diameters of a
 // mesh; points of a type that CGAL does not know.
+
+BOOST_AUTO_TEST_SUITE(test_polyhedron)
 
 namespace {
 
@@ -162,3 +163,5 @@ BOOST_AUTO_TEST_CASE(diameters_can_be_those_of_cgal)
   diameters.pop_back();
   BOOST_CHECK_THROW(segmenter.set_diameters(diameters), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,7 @@
 // WCS_PSB_DIR names its directory (with off/ and seg/), the measures against the values which the
 // benchmark's own evaluator prints, and people against people.
 
-#define BOOST_TEST_MODULE princeton_benchmark
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "metrics/princeton_benchmark.h"
 
@@ -22,6 +21,8 @@
 #include <string>
 #include <system_error>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_princeton_benchmark)
 
 namespace {
 
@@ -302,5 +303,7 @@ BOOST_AUTO_TEST_CASE(annotators_against_annotators)
   }
   BOOST_TEST(is_near(average.overall().rand_error, 0.1085, 0.000051));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,8 +4,7 @@
 // Runs the programs as a user does. They are in the folder that the environment variable
 // WCS_BIN_DIR names; CTest sets it.
 
-#define BOOST_TEST_MODULE Programs
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "io/shape_io.h"
 #include "run_program.h"
@@ -20,6 +19,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_programs)
 
 namespace {
 
@@ -350,3 +351,5 @@ BOOST_AUTO_TEST_CASE(shapes_are_made_and_segmented)
   check_parts(folder, "cup.off");
   check_parts(folder, "cup.ply");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

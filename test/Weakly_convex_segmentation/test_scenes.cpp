@@ -3,8 +3,7 @@
 
 // One view of a depth camera, in segment_scene.
 
-#define BOOST_TEST_MODULE Scenes
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "io/shape_io.h"
 #include "run_program.h"
@@ -17,6 +16,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_scenes)
 
 namespace {
 
@@ -96,3 +97,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_scene_is_refused_in_one_line)
     BOOST_TEST(folder.number_of_files() == 3u);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

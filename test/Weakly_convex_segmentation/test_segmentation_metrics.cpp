@@ -4,8 +4,7 @@
 // The measures of Chen et al. 2009 on segmentations worked out by hand and against their
 // definitions, spelled out face by face. test_princeton_benchmark.cpp checks printed values.
 
-#define BOOST_TEST_MODULE segmentation_metrics
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "metrics/segmentation_metrics.h"
 
@@ -16,6 +15,8 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_segmentation_metrics)
 
 namespace {
 
@@ -374,5 +375,7 @@ BOOST_AUTO_TEST_CASE(degenerate_face)
   BOOST_TEST(std::isfinite(scores.gce_area));
   BOOST_TEST(scores.hamming == 0.);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

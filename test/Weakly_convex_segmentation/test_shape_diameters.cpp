@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Signatures
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/shape_diameters.h>
 
@@ -17,6 +16,8 @@
 #include <vector>
 
 // Volumetric signatures (section 5): shape diameters, their histograms, the earth mover's distance.
+
+BOOST_AUTO_TEST_SUITE(test_shape_diameters)
 
 namespace {
 
@@ -266,3 +267,5 @@ BOOST_AUTO_TEST_CASE(diameters_of_a_component_from_its_own_points)
       median_diameter(tube, own_diameters(tube.points, all_points(tube), paper, false)) - 0.6,
       0.05);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Shape_generator
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "shapes/shape_generator.h"
 
@@ -16,6 +15,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_shape_generator)
 
 namespace {
 
@@ -310,3 +311,5 @@ BOOST_AUTO_TEST_CASE(errors_name_cause_and_remedy)
   // The legs would fall between the points of so coarse a grid.
   BOOST_CHECK_THROW(Shape_generator::make_mesh("ant", 1000), std::runtime_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

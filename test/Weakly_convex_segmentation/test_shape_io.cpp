@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Shape_io
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "io/separate_parts.h"
 #include "io/shape_io.h"
@@ -19,6 +18,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_shape_io)
 
 namespace {
 
@@ -409,3 +410,5 @@ BOOST_AUTO_TEST_CASE(files_are_written_as_a_whole_or_not_at_all)
   BOOST_CHECK_THROW(Shape_io::Atomic_file(folder.path().string()), Shape_io::File_error);
   BOOST_CHECK_THROW(Shape_io::Atomic_file(folder.file("none/a")), Shape_io::File_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

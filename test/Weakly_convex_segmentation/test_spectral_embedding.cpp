@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Spectral_embedding
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 
@@ -13,6 +12,8 @@
 #include <vector>
 
 // The lowest eigenvectors of a graph's Laplacian, on graphs whose eigenvectors are known.
+
+BOOST_AUTO_TEST_SUITE(test_spectral_embedding)
 
 namespace {
 
@@ -144,3 +145,5 @@ BOOST_AUTO_TEST_CASE(what_does_not_converge_is_left_out)
   move_to_nearest_means(lengths, Embedding(adjacency.rows(), 0), 9, cluster);
   BOOST_CHECK(cluster == before);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

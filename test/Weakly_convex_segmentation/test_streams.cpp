@@ -3,8 +3,7 @@
 
 // segment_shape on standard input and output, with gaps, with labels carried over, and interrupted.
 
-#define BOOST_TEST_MODULE Streams
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "io/shape_io.h"
 #include "pcd_files.h"
@@ -30,6 +29,8 @@
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+BOOST_AUTO_TEST_SUITE(test_streams)
 
 namespace {
 
@@ -370,3 +371,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_answered_within_a_second)
     BOOST_TEST(folder.number_of_files() == files);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

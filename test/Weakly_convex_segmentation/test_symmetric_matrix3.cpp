@@ -3,8 +3,7 @@
 
 // The axes of clouds of points against Eigen's, which they have to equal bit by bit.
 
-#define BOOST_TEST_MODULE Symmetric_matrix3
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Symmetric_matrix3.h>
 
@@ -13,6 +12,8 @@
 
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_symmetric_matrix3)
 
 using namespace CGAL::Weakly_convex_segmentation::internal;
 
@@ -80,3 +81,5 @@ BOOST_AUTO_TEST_CASE(equal_axes_are_those_of_eigen)
       {{0., 0., 2.}, {0., 0., -2.}, {0., 1., 0.}, {0., -1., 0.}, {1., 0., 0.}, {-1., 0., 0.}});
   check_axes({{3., 3., 3.}});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

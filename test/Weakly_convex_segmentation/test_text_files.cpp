@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Text_files
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "io/shape_io.h"
 #include "scratch_folder.h"
@@ -10,6 +9,8 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+
+BOOST_AUTO_TEST_SUITE(test_text_files)
 
 namespace {
 
@@ -47,3 +48,5 @@ BOOST_AUTO_TEST_CASE(old_mac_line_ends)
         return text;
       });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

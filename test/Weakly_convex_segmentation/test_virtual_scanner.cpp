@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE virtual_scanner
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "scanner/virtual_scanner.h"
 #include "scenes/scene_scores.h"
@@ -10,6 +9,8 @@
 
 #include <cmath>
 #include <set>
+
+BOOST_AUTO_TEST_SUITE(test_virtual_scanner)
 
 namespace VS = Virtual_scanner;
 
@@ -146,3 +147,5 @@ BOOST_AUTO_TEST_CASE(scene_scores_of_known_segments)
   BOOST_TEST(s.unweighted_overlap == 0.65, boost::test_tools::tolerance(1e-12));
   BOOST_CHECK_THROW(Scene_scores::score({-1}, {0}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE Visibility
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Patch_visibility.h>
 
@@ -20,6 +19,8 @@
 #include <vector>
 
 // Lines of sight against oriented disks (sections 3 and 4) and the convexity rank (equation 1).
+
+BOOST_AUTO_TEST_SUITE(test_visibility)
 
 namespace {
 
@@ -461,3 +462,5 @@ BOOST_AUTO_TEST_CASE(equation_1_by_hand)
   BOOST_CHECK_CLOSE(convexity_rank(*scene.sight, {a, c}, 10, 5.), 0.5, 1e-6);
   BOOST_CHECK_EQUAL(convexity_rank(*scene.sight, {a, b}, 10, 5.), 1.);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -33,13 +33,6 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// Rules for a shape whose diameters are given: none are measured.
-inline Parameters with_given_diameters(Parameters parameters)
-{
-  if (parameters.diameter == Diameter_rule::WHOLE_SHAPE) parameters.diameter = Diameter_rule::GIVEN;
-  return parameters;
-}
-
 /// returns the caller's merge cost, an empty one if there is none.
 template <typename NamedParameters>
 Merge_cost read_merge_cost([[maybe_unused]] const NamedParameters& np)
@@ -50,43 +43,9 @@ Merge_cost read_merge_cost([[maybe_unused]] const NamedParameters& np)
     return {};
 }
 
-/// reads an input and measures what does not depend on thresholds.
-template <typename ConcurrencyTag, typename Input, typename NamedParameters>
-std::unique_ptr<Shape_analysis> analyze_input(const Input& input, const NamedParameters& np,
-                                              const Run_control& control)
-{
-  Parameters parameters = read_parameters(np);
-  parameters.check();
-  const std::vector<double> diameters = read_diameters(input, np);
-  if (!diameters.empty()) parameters = with_given_diameters(parameters);
-  Raw_shape raw = read_input<ConcurrencyTag>(input, np);
-  control.progress(0.);
-  auto shape = analyze_shape(std::move(raw), parameters, control, read_oracles(np));
-  if (!diameters.empty()) use_diameters(*shape, diameters, control.parallel);
-  return shape;
-}
-
 /// `weakly_convex_segmentation()` with named parameters of CGAL's class.
 template <typename ConcurrencyTag, typename Input, typename LabelMap, typename NamedParameters>
-Result segment_input(const Input& input, LabelMap label_map, const NamedParameters& np)
-{
-  constexpr Mistake mistake = mistake_in_call<Input, LabelMap, NamedParameters>();
-  refuse<mistake, Input, LabelMap, NamedParameters>();
-  if constexpr (mistake == Mistake::NONE)
-  {
-    const Run_control control = read_control<ConcurrencyTag>(np);
-    const auto shape = analyze_input<ConcurrencyTag>(input, np, control);
-    Result result = segment_shape(*shape, read_parameters(np), control, read_merge_cost(np));
-    if constexpr (is_given<NamedParameters, names::level_t>)
-      write_labels(input, result.labels_at(CGAL::parameters::get_parameter(np, names::level_t())),
-                   label_map);
-    else
-      write_labels(input, result.labels, label_map);
-    return result;
-  }
-  else
-    return {};
-}
+Result segment_input(const Input& input, LabelMap label_map, const NamedParameters& np);
 
 } // namespace internal
 
@@ -99,6 +58,11 @@ Result segment_input(const Input& input, LabelMap label_map, const NamedParamete
 /// callback refers to, which have to live as long. Different objects may be used from different threads at
 /// once, one object by one thread at a time, also by its functions that are const. It can be moved, not
 /// copied.
+///
+/// What does not depend on the types of the input is in member functions that are not inline. A program of
+/// many sources compiles it once if all of them see
+/// `extern template class CGAL::Weakly_convex_segmentation::Segmenter<CGAL::Sequential_tag>;` after this
+/// header, and one has the same without `extern`. That holds for `weakly_convex_segmentation()` too.
 ///
 /// \pre for all member functions: the object was not moved from.
 ///
@@ -150,11 +114,7 @@ public:
   ///
   /// Complexity: linear in the number of elements, besides what depends on the number of patches and the
   /// lines of sight that were not cast before.
-  Result segment(const Parameters& parameters)
-  {
-    CGAL_precondition(m_shape != nullptr);
-    return internal::segment_shape(*m_shape, parameters, m_control, m_merge_cost);
-  }
+  Result segment(const Parameters& parameters);
 
   /// is the same with the parameters of the constructor, but for what is named:
   /// `segmentation_parameters`, `maximum_number_of_segments`, `minimum_segment_share` and `merge_cost`,
@@ -176,28 +136,7 @@ public:
   ///
   /// Complexity: linear in the number of elements, besides the minimum cuts in the bands.
   Result refine(const Result& result, const std::vector<int>& patch_labels,
-                const Parameters& parameters)
-  {
-    CGAL_precondition(m_shape != nullptr);
-    parameters.check();
-    const std::size_t patches = result.merge_tree.number_of_patches();
-    if (result.patches.size() != m_shape->input.number_of_elements)
-      throw std::invalid_argument("the result has " + std::to_string(result.patches.size()) +
-                                  " elements, the shape has " +
-                                  std::to_string(m_shape->input.number_of_elements));
-    if (patch_labels.size() != patches)
-      throw std::invalid_argument("there are " + std::to_string(patch_labels.size()) +
-                                  " patch labels for " + std::to_string(patches) + " patches");
-    for (const int label : patch_labels)
-      if (label < 0 || static_cast<std::size_t>(label) >= patches)
-        throw std::invalid_argument("the patch label " + std::to_string(label) +
-                                    " is not from 0 to " + std::to_string(patches - 1));
-    internal::Representative_labels labels;
-    labels.patches = internal::representative_labels(*m_shape, result.patches);
-    for (const int patch : labels.patches) labels.segments.push_back(patch_labels[patch]);
-    return internal::finish_segmentation(*m_shape, std::move(labels), result.merge_tree, parameters,
-                                         m_control);
-  }
+                const Parameters& parameters);
 
   /// takes diameters of the shape that were measured elsewhere, such as by `mesh_diameters()`, for
   /// the segmentations to come.
@@ -210,15 +149,7 @@ public:
   /// `Diameter_rule::GIVEN` and `WHOLE_SHAPE`; `OWN_POINTS` does not. The constructor need not measure
   /// diameters of its own with `GIVEN`.
   /// Complexity: linear in the number of elements.
-  void set_diameters(const std::vector<double>& diameters)
-  {
-    CGAL_precondition(m_shape != nullptr);
-    if (diameters.size() != m_shape->input.number_of_elements)
-      throw std::invalid_argument("there are " + std::to_string(diameters.size()) +
-                                  " diameters for " +
-                                  std::to_string(m_shape->input.number_of_elements) + " elements");
-    internal::use_diameters(*m_shape, diameters, m_control.parallel);
-  }
+  void set_diameters(const std::vector<double>& diameters);
 
   /// returns the number of patches of the first set, about `Parameters::number_of_patches`. Those of a result
   /// may be more: they are cut where its segments end.
@@ -239,44 +170,41 @@ public:
   ///
   /// Complexity: linear in the number of elements, and O(log n) for each of at most
   /// `sample_size`<sup>2</sup> / 2 lines of sight.
-  double convexity_rank(const std::vector<std::size_t>& subset, const std::size_t sample_size = 100,
-                        const double tolerance = 5.) const
-  {
-    CGAL_precondition(m_shape != nullptr);
-    if (sample_size == 0)
-      throw std::invalid_argument("the convexity rank needs a sample of at least 1 element");
-    if (!(tolerance >= 0. && tolerance <= 90.))
-      throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
-                                  " degrees, give a value from 0 to 90");
-    const std::size_t n = m_shape->input.number_of_elements;
-    std::vector<std::size_t> rank(n);
-    for (std::size_t i = 0; i < m_shape->input.size(); ++i) rank[m_shape->input.elements[i]] = i;
-    std::vector<internal::Index> points;
-    for (const std::size_t element : subset)
-    {
-      if (element >= n)
-        throw std::invalid_argument("element " + std::to_string(element) + " is not one of the " +
-                                    std::to_string(n) + " elements of the shape");
-      points.push_back(static_cast<internal::Index>(m_shape->representative(rank[element])));
-    }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return internal::convexity_rank(*m_shape->sight, points, sample_size, tolerance);
-  }
+  double convexity_rank(const std::vector<std::size_t>& subset, std::size_t sample_size = 100,
+                        double tolerance = 5.) const;
 
 private:
+  template <typename Tag, typename Input, typename LabelMap, typename NamedParameters>
+  friend Result internal::segment_input(const Input&, LabelMap, const NamedParameters&);
+
+  Segmenter() = default; // to be read into
+
   template <typename Input, typename NamedParameters>
   void read(const Input& input, const NamedParameters& np)
   {
     constexpr internal::Mistake mistake = internal::mistake_in_input<Input, NamedParameters>();
     internal::refuse<mistake, Input, NamedParameters>();
-    if constexpr (mistake == internal::Mistake::NONE)
-    {
-      m_control = internal::read_control<ConcurrencyTag>(np);
-      m_parameters = internal::read_parameters(np);
-      m_merge_cost = internal::read_merge_cost(np);
-      m_shape = internal::analyze_input<ConcurrencyTag>(input, np, m_control);
-    }
+    if constexpr (mistake == internal::Mistake::NONE) read_checked(input, np);
+  }
+
+  /// reads what has no mistakes.
+  template <typename Input, typename NamedParameters>
+  void read_checked(const Input& input, const NamedParameters& np)
+  {
+    read_settings(np);
+    const std::vector<double> diameters = internal::read_diameters(input, np);
+    internal::Raw_shape raw = internal::read_input<ConcurrencyTag>(input, np);
+    m_control.progress(0.);
+    analyze(std::move(raw), internal::read_oracles(np), diameters);
+  }
+
+  template <typename NamedParameters>
+  void read_settings(const NamedParameters& np)
+  {
+    m_control = internal::read_control<ConcurrencyTag>(np);
+    m_parameters = internal::read_parameters(np);
+    m_parameters.check();
+    m_merge_cost = internal::read_merge_cost(np);
   }
 
   template <typename PointRange, typename PolygonRange, typename NamedParameters>
@@ -287,14 +215,10 @@ private:
     internal::refuse<mistake, PointRange, PolygonRange, NamedParameters>();
     if constexpr (mistake == internal::Mistake::NONE)
     {
-      m_control = internal::read_control<ConcurrencyTag>(np);
-      m_parameters = internal::read_parameters(np);
-      m_parameters.check();
-      m_merge_cost = internal::read_merge_cost(np);
-      m_shape = internal::analyze_shape(internal::read_soup(points, polygons,
-                                                            internal::point_map_of(points, np),
-                                                            internal::traits_of(np), m_control),
-                                        m_parameters, m_control, internal::read_oracles(np));
+      read_settings(np);
+      analyze(internal::read_soup(points, polygons, internal::point_map_of(points, np),
+                                  internal::traits_of(np), m_control),
+              internal::read_oracles(np), {});
     }
   }
 
@@ -313,12 +237,124 @@ private:
       return {};
   }
 
+  /// measures what does not depend on thresholds; `diameters`: those that were given, if any.
+  void analyze(internal::Raw_shape raw, internal::Oracles oracles,
+               const std::vector<double>& diameters);
+
   Parameters m_parameters;
   internal::Merge_cost m_merge_cost; ///< of the caller, if there is one
   internal::Run_control m_control;
   std::unique_ptr<internal::Shape_analysis> m_shape;
 };
 
+// not inline, see above
+
+template <typename ConcurrencyTag>
+void Segmenter<ConcurrencyTag>::analyze(internal::Raw_shape raw, internal::Oracles oracles,
+                                        const std::vector<double>& diameters)
+{
+  Parameters parameters = m_parameters;
+  // whose diameters are given, none are measured
+  if (!diameters.empty() && parameters.diameter == Diameter_rule::WHOLE_SHAPE)
+    parameters.diameter = Diameter_rule::GIVEN;
+  m_shape = internal::analyze_shape(std::move(raw), parameters, m_control, std::move(oracles));
+  if (!diameters.empty()) internal::use_diameters(*m_shape, diameters, m_control.parallel);
+}
+
+template <typename ConcurrencyTag>
+Result Segmenter<ConcurrencyTag>::segment(const Parameters& parameters)
+{
+  CGAL_precondition(m_shape != nullptr);
+  return internal::segment_shape(*m_shape, parameters, m_control, m_merge_cost);
+}
+
+template <typename ConcurrencyTag>
+Result Segmenter<ConcurrencyTag>::refine(const Result& result, const std::vector<int>& patch_labels,
+                                         const Parameters& parameters)
+{
+  CGAL_precondition(m_shape != nullptr);
+  parameters.check();
+  const std::size_t patches = result.merge_tree.number_of_patches();
+  if (result.patches.size() != m_shape->input.number_of_elements)
+    throw std::invalid_argument("the result has " + std::to_string(result.patches.size()) +
+                                " elements, the shape has " +
+                                std::to_string(m_shape->input.number_of_elements));
+  if (patch_labels.size() != patches)
+    throw std::invalid_argument("there are " + std::to_string(patch_labels.size()) +
+                                " patch labels for " + std::to_string(patches) + " patches");
+  for (const int label : patch_labels)
+    if (label < 0 || static_cast<std::size_t>(label) >= patches)
+      throw std::invalid_argument("the patch label " + std::to_string(label) +
+                                  " is not from 0 to " + std::to_string(patches - 1));
+  internal::Representative_labels labels;
+  labels.patches = internal::representative_labels(*m_shape, result.patches);
+  for (const int patch : labels.patches) labels.segments.push_back(patch_labels[patch]);
+  return internal::finish_segmentation(*m_shape, std::move(labels), result.merge_tree, parameters,
+                                       m_control);
+}
+
+template <typename ConcurrencyTag>
+void Segmenter<ConcurrencyTag>::set_diameters(const std::vector<double>& diameters)
+{
+  CGAL_precondition(m_shape != nullptr);
+  if (diameters.size() != m_shape->input.number_of_elements)
+    throw std::invalid_argument("there are " + std::to_string(diameters.size()) +
+                                " diameters for " +
+                                std::to_string(m_shape->input.number_of_elements) + " elements");
+  internal::use_diameters(*m_shape, diameters, m_control.parallel);
+}
+
+template <typename ConcurrencyTag>
+double Segmenter<ConcurrencyTag>::convexity_rank(const std::vector<std::size_t>& subset,
+                                                 const std::size_t sample_size,
+                                                 const double tolerance) const
+{
+  CGAL_precondition(m_shape != nullptr);
+  if (sample_size == 0)
+    throw std::invalid_argument("the convexity rank needs a sample of at least 1 element");
+  if (!(tolerance >= 0. && tolerance <= 90.))
+    throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
+                                " degrees, give a value from 0 to 90");
+  const std::size_t n = m_shape->input.number_of_elements;
+  std::vector<std::size_t> rank(n);
+  for (std::size_t i = 0; i < m_shape->input.size(); ++i) rank[m_shape->input.elements[i]] = i;
+  std::vector<internal::Index> points;
+  for (const std::size_t element : subset)
+  {
+    if (element >= n)
+      throw std::invalid_argument("element " + std::to_string(element) + " is not one of the " +
+                                  std::to_string(n) + " elements of the shape");
+    points.push_back(static_cast<internal::Index>(m_shape->representative(rank[element])));
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return internal::convexity_rank(*m_shape->sight, points, sample_size, tolerance);
+}
+
+namespace internal {
+
+template <typename ConcurrencyTag, typename Input, typename LabelMap, typename NamedParameters>
+Result segment_input(const Input& input, LabelMap label_map, const NamedParameters& np)
+{
+  constexpr Mistake mistake = mistake_in_call<Input, LabelMap, NamedParameters>();
+  refuse<mistake, Input, LabelMap, NamedParameters>();
+  if constexpr (mistake == Mistake::NONE)
+  {
+    Segmenter<ConcurrencyTag> segmenter;
+    segmenter.read_checked(input, np);
+    Result result = segmenter.segment(segmenter.m_parameters);
+    if constexpr (is_given<NamedParameters, names::level_t>)
+      write_labels(input, result.labels_at(CGAL::parameters::get_parameter(np, names::level_t())),
+                   label_map);
+    else
+      write_labels(input, result.labels, label_map);
+    return result;
+  }
+  else
+    return {};
+}
+
+} // namespace internal
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL
 

@@ -26,7 +26,7 @@ import urllib.parse
 
 MARKDOWN = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "benchmark/Weakly_convex_segmentation/README.md")
 MANUAL = pathlib.Path("doc/Weakly_convex_segmentation")
-FOLDERS = ("include", "examples", "test", "benchmark", "doc", "package_info", "scripts", "cmake", r"\.ci")
+FOLDERS = ("include", "tools", "examples", "test", "benchmark", "doc", "package_info", "scripts", "cmake", r"\.ci")
 NOT_OURS = {"cmake", "ctest", "f3d", "parallel", "seq", "git", "mkdir", "#SBATCH"}
 OPTIONS_OF_OTHERS = {"--joblog", "--resume-failed", "--sshloginfile"}  # GNU parallel
 
@@ -126,7 +126,7 @@ def options_in(code):
 def check_options(project, file, text):
     """options in commands, in tables below a program, and alone"""
     everything = "".join(project.help(pathlib.PurePath(f).name.replace(".cpp", "")) or ""
-                         for f in project.files if re.match(r"(examples|benchmark|scripts)/", f))
+                         for f in project.files if re.match(r"(tools|examples|benchmark|scripts)/", f))
     program = None
     for line in text.splitlines():
         named = re.findall(r"build/bin/(\w+)", line)
