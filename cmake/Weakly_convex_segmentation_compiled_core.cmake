@@ -32,9 +32,9 @@ function(weakly_convex_segmentation_use_compiled_core)
     target_link_libraries(${target} PRIVATE Weakly_convex_segmentation_compiled_core)
     # before the header of the same name
     target_include_directories(${target} BEFORE PRIVATE "${Weakly_convex_segmentation_CORE_DIR}")
-    # CGAL's own macro for its examples tells them where its data are, which is known to its headers too
-    get_target_property(definitions ${target} COMPILE_DEFINITIONS)
-    if(NOT WCS_SYNTAX_ONLY AND NOT definitions MATCHES "CGAL_DATA_DIR")
+    # CGAL's own macro for its examples defines where its data are, which its headers know, too
+    get_target_property(libraries ${target} LINK_LIBRARIES)
+    if(NOT WCS_SYNTAX_ONLY AND NOT libraries MATCHES "CGAL::Data")
       target_precompile_headers(${target} REUSE_FROM Weakly_convex_segmentation_compiled_core)
     endif()
   endforeach()

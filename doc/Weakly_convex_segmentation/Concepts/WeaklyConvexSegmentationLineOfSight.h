@@ -11,8 +11,7 @@ which points see each other inside of the shape, and how far it is from a point 
 All points, vectors and distances are in the coordinates of the input. The points are those that the method
 works on: points of the input, centroids of faces or of pieces of them. They lie on the surface but for
 rounding to single precision, relative to the extent of the shape, and but for the smoothing of noise
-(`CGAL::Weakly_convex_segmentation::Parameters::noise_tolerance` and
-`CGAL::Weakly_convex_segmentation::Parameters::mesh_noise_tolerance`). So a model should not count what is very near
+(`CGAL::Weakly_convex_segmentation::Sampling_parameters::denoise`). So a model should not count what is very near
 to the beginning or the end of a line. How near is up to the model.
 
 A model is copy constructible. It is copied when it is passed, and a
@@ -47,7 +46,7 @@ public:
   /// \post `sees(p, q)` is the same as `sees(q, p)`: a pair is asked for in one order only.
   ///
   /// Complexity: O(log n) expected, for n elements of the surface. It is called for at most
-  /// `CGAL::Weakly_convex_segmentation::Parameters::maximum_rays_per_pair` lines of each pair of patches whose
+  /// `CGAL::Weakly_convex_segmentation::Visibility_parameters::maximum_rays_per_pair` lines of each pair of patches whose
   /// visibility is asked for, and for the convexity ranks of the segments.
   bool sees(const Point_3& p, const Point_3& q) const;
 
@@ -61,8 +60,7 @@ public:
   ///   infinity.
   ///
   /// Complexity: O(log n) expected. It is called for
-  /// `CGAL::Weakly_convex_segmentation::Parameters::diameter_samples` points at most, with
-  /// `CGAL::Weakly_convex_segmentation::Parameters::diameter_rays` directions and the reversed normal.
+  /// 2,000 points at most, with 10 directions and the reversed normal.
   double distance_to_exit(const Point_3& p, const Vector_3& direction) const;
 
   /// returns how far a ray goes until it first enters the shape, from outside; infinity if it does not. It

@@ -10,12 +10,12 @@ that divides a graph into clusters, which become the patches. A lambda may be on
 
 The work is in two steps. The model is called once for each connected piece of the graph, and does what does not
 depend on chance, such as computing eigenvectors. It returns a function object, which is called once for each set
-of patches (`CGAL::Weakly_convex_segmentation::Parameters::number_of_patch_sets`), with another seed each time.
+of patches (`CGAL::Weakly_convex_segmentation::Patch_parameters::number_of_patch_sets`), with another seed each time.
 The sets of patches should differ, as the segments are what most of them agree on.
 
 Clusters need not be connected in the surface, and their number need not be the wanted one: they are divided
-into their connected pieces, and pieces with fewer points than
-`CGAL::Weakly_convex_segmentation::Parameters::minimum_patch_size` are given to a neighbor.
+into their connected pieces, and pieces with fewer than
+5 points are given to a neighbor.
 
 A model is copy constructible. It is called by one thread at a time. What it returns is copy constructible,
 too, and with `CGAL::Parallel_tag` may be called by several threads at once. Both are deterministic: the same
