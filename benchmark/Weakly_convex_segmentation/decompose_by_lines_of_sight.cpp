@@ -59,8 +59,7 @@ std::vector<WCS::Segment> parts_by_sight(const WCS::internal::Shape_analysis& sh
                                          const Lines_of_sight::Settings& settings)
 {
   const std::vector<int> labels = Lines_of_sight::decompose(shape, settings);
-  std::vector<int> of_representatives(shape.points().size());
-  WCS::internal::relabel_representatives(shape, labels, of_representatives);
+  const std::vector<int> of_representatives = WCS::internal::representative_labels(shape, labels);
   const int last = *std::max_element(labels.begin(), labels.end());
   return WCS::internal::describe_segments(shape, of_representatives, labels,
                                           static_cast<std::size_t>(last) + 1, false);

@@ -277,7 +277,7 @@ std::vector<int> fitted_regions(Trial& trial, const Tree_table& table, const dou
   WCS::internal::absorb_small_regions(
       trial.graph,
       WCS::internal::Region_cost(trial.graph, trial.model.shape->patches(),
-                                 trial.model.shape->diameters, scale, parameters),
+                                 trial.model.shape->diameters, scale),
       parameters, log);
   return trial.graph.labels();
 }

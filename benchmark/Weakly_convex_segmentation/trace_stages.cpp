@@ -14,6 +14,7 @@
 #include "io/read_shape.h"
 #include "shapes/shape_generator.h"
 
+#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 #include <CGAL/property_map.h>
 #include <CGAL/weakly_convex_segmentation.h>
 

@@ -3,6 +3,8 @@
 
 #include "compiled_core.h"
 
+#include "../../include/CGAL/Weakly_convex_segmentation/internal/Segmenter_impl.h"
+
 #include <utility>
 
 template class CGAL::Weakly_convex_segmentation::Segmenter<CGAL::Sequential_tag>;

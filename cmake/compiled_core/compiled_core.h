@@ -5,10 +5,11 @@
 #define WEAKLY_CONVEX_SEGMENTATION_COMPILED_CORE_H
 
 #include <CGAL/Weakly_convex_segmentation/Segmenter.h>
+#include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
 #include <memory>
 
-// Functions of the core for tests and benchmarks, compiled once: see Segmenter.h in the folder beside.
+// Functions of the core for tests and benchmarks, compiled once: see Segmenter_impl.h in the folder beside.
 
 namespace Compiled_core {
 

@@ -6,6 +6,7 @@
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Weakly_convex_segmentation/Region_pair.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <cstdlib>

@@ -9,9 +9,7 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_H
 
-#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/Segmenter.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>

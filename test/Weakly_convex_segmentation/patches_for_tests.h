@@ -6,6 +6,7 @@
 
 // One set of patches, where a run makes several.
 
+#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
 
 #include <utility>

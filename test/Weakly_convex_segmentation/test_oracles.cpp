@@ -7,7 +7,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Weakly_convex_segmentation/Disk_line_of_sight.h>
+#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Mesh_line_of_sight.h>
+#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/weakly_convex_segmentation.h>
 

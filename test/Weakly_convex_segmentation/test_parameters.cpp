@@ -3,12 +3,13 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <CGAL/Weakly_convex_segmentation/internal/borders/band.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
-#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
 
 #include <CGAL/Simple_cartesian.h>
 
 #include "common/set_parameter.h"
+#include "compiled_core.h"
 #include "shapes_for_tests.h"
 
 #include <cmath>
@@ -177,15 +178,16 @@ Result segment_bare_plate(const Parameters& parameters)
   std::vector<Kernel::Point_3> points;
   for (const auto& p : Shape_generator::make_cloud("thin_plate", 3000, 1).points)
     points.emplace_back(p[0], p[1], p[2]);
-  return segment_points(
+  return Compiled_core::segment_points(
       read_input<CGAL::Sequential_tag>(points, CGAL::parameters::default_values()), parameters,
       Run_control());
 }
 
 Result segment_shape(const std::string& name, const Parameters& parameters)
 {
-  return name == "bare plate" ? segment_bare_plate(parameters)
-                              : segment_points(shape(name), parameters, Run_control());
+  return name == "bare plate"
+             ? segment_bare_plate(parameters)
+             : Compiled_core::segment_points(shape(name), parameters, Run_control());
 }
 
 /// all of a result in one row of numbers
@@ -257,7 +259,7 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused_by_name)
   // a run refuses them too
   Parameters parameters;
   parameters.number_of_neighbors = 2;
-  BOOST_CHECK_THROW(segment_points(shape("dumbbell"), parameters, Run_control()),
+  BOOST_CHECK_THROW(Compiled_core::segment_points(shape("dumbbell"), parameters, Run_control()),
                     std::invalid_argument);
 }
 

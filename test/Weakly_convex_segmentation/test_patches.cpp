@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
 
 #include "patches_for_tests.h"

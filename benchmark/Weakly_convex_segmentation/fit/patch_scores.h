@@ -50,7 +50,8 @@ inline double pairs(const double n) { return 0.5 * n * (n - 1.); }
 /// counts what the scores need, once shape and people's labels are there.
 inline void count_patches(Model& model)
 {
-  const std::vector<int> patches = WCS::internal::element_patches(*model.shape);
+  const std::vector<int> patches =
+      WCS::internal::element_patches(*model.shape, model.shape->patches().of_point);
   model.elements = static_cast<double>(patches.size());
   model.patch_sizes.assign(model.shape->patches().size(), 0.);
   for (const int p : patches) model.patch_sizes[static_cast<std::size_t>(p)] += 1.;

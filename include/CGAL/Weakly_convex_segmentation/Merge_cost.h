@@ -15,10 +15,6 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Region_pair.h>
 
-#include <functional>
-#include <limits>
-#include <type_traits>
-
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 
@@ -70,33 +66,6 @@ public:
   double merging_threshold() const { return m_merging_threshold; }
 };
 
-namespace internal {
-
-template <typename Cost, typename = void>
-struct Uses_cut_probability : std::false_type
-{};
-template <typename Cost>
-struct Uses_cut_probability<Cost, std::void_t<decltype(Cost::uses_cut_probability)>>
-  : std::bool_constant<Cost::uses_cut_probability>
-{};
-
-/// Any model of `WeaklyConvexSegmentationMergeCost`.
-struct Merge_cost
-{
-  std::function<double(const Region_pair&, double)> cost;
-  double fusion_threshold = 0., merging_threshold = 0.;
-  bool uses_cut_probability = false;
-
-  Merge_cost() = default; ///< none
-  template <typename Model>
-  explicit Merge_cost(const Model& model)
-    : cost(model), fusion_threshold(model.fusion_threshold()),
-      merging_threshold(model.merging_threshold()),
-      uses_cut_probability(Uses_cut_probability<Model>::value)
-  {}
-};
-
-} // namespace internal
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL
 

@@ -14,6 +14,7 @@
 #include <CGAL/Weakly_convex_segmentation/Normal_orientation.h>
 
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -92,6 +93,17 @@ struct Merging_cost
   double diameter_spread_weight = 0.;
   double continuation_weight = 0.;
 };
+
+namespace internal {
+
+// an initializer list in the struct is taken for uninitialized by g++ 12 where operator new is replaced
+inline std::vector<double> three_thetas()
+{
+  const double thetas[] = {0.9, 0.8, 0.7};
+  return std::vector<double>(std::begin(thetas), std::end(thetas));
+}
+
+} // namespace internal
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// What the points and the neighbor graph are made with (section 3).
@@ -176,8 +188,8 @@ struct Merging_parameters
   double merging_threshold = 1.482;
   /// weights of `Merging_rule::COST`
   Merging_cost merging_cost = {2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
-  /// `Merging_rule::PAPER`: the thresholds theta of the rounds of fusion, each in `[0, 1]`
-  std::vector<double> fusion_thresholds = {0.9, 0.8, 0.7};
+  /// `Merging_rule::PAPER`: the thresholds theta of the rounds of fusion, each in `[0, 1]`: 0.9, 0.8, 0.7
+  std::vector<double> fusion_thresholds = internal::three_thetas();
   Fusion_rule fusion = Fusion_rule::EVERY_PAIR; ///< `Merging_rule::PAPER`: what must exceed theta
   /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
   double minimum_segment_share = 0.0078;

@@ -17,7 +17,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -75,13 +74,6 @@ public:
   }
 };
 
-namespace internal {
-
-/// Any model of `WeaklyConvexSegmentationPatchClustering`.
-using Clusters_of_seed = std::function<std::vector<Index>(unsigned int)>;
-using Patch_clustering = std::function<Clusters_of_seed(const Convexity_graph&, std::size_t)>;
-
-} // namespace internal
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL
 

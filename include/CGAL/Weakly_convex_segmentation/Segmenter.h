@@ -9,12 +9,12 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_SEGMENTER_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_SEGMENTER_H
 
-#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/check_call.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
-#include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
+#include <CGAL/Weakly_convex_segmentation/internal/oracles.h>
 #include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
 #include <CGAL/assertions.h>
@@ -32,6 +32,8 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
+
+struct Shape_analysis;
 
 /// returns the caller's merge cost, an empty one if there is none.
 template <typename NamedParameters>
@@ -71,6 +73,9 @@ template <typename ConcurrencyTag = Sequential_tag>
 class Segmenter
 {
 public:
+  Segmenter(Segmenter&&) = default;
+  Segmenter& operator=(Segmenter&&) = default;
+
   /// reads a range of points, a `CGAL::Point_set_3` or a mesh. Input, named parameters but `level`,
   /// exceptions and complexity are those of `weakly_convex_segmentation()`.
   template <typename Input, typename NamedParameters = parameters::Default_named_parameters>
@@ -153,11 +158,7 @@ public:
 
   /// returns the number of patches of the first set, about `Parameters::number_of_patches`. Those of a result
   /// may be more: they are cut where its segments end.
-  std::size_t number_of_patches() const
-  {
-    CGAL_precondition(m_shape != nullptr);
-    return m_shape->patches().size();
-  }
+  std::size_t number_of_patches() const;
 
   /// returns the convexity rank \f$ |LoS(S)| / |S|^2 \f$ (equation 1) of a subset of the input.
   /// \param subset indices of input elements, in input order
@@ -244,92 +245,9 @@ private:
   Parameters m_parameters;
   internal::Merge_cost m_merge_cost; ///< of the caller, if there is one
   internal::Run_control m_control;
-  std::unique_ptr<internal::Shape_analysis> m_shape;
+  std::shared_ptr<internal::Shape_analysis>
+      m_shape; ///< not shared, but of a type that is not known here
 };
-
-// not inline, see above
-
-template <typename ConcurrencyTag>
-void Segmenter<ConcurrencyTag>::analyze(internal::Raw_shape raw, internal::Oracles oracles,
-                                        const std::vector<double>& diameters)
-{
-  Parameters parameters = m_parameters;
-  // whose diameters are given, none are measured
-  if (!diameters.empty() && parameters.diameter == Diameter_rule::WHOLE_SHAPE)
-    parameters.diameter = Diameter_rule::GIVEN;
-  m_shape = internal::analyze_shape(std::move(raw), parameters, m_control, std::move(oracles));
-  if (!diameters.empty()) internal::use_diameters(*m_shape, diameters, m_control.parallel);
-}
-
-template <typename ConcurrencyTag>
-Result Segmenter<ConcurrencyTag>::segment(const Parameters& parameters)
-{
-  CGAL_precondition(m_shape != nullptr);
-  return internal::segment_shape(*m_shape, parameters, m_control, m_merge_cost);
-}
-
-template <typename ConcurrencyTag>
-Result Segmenter<ConcurrencyTag>::refine(const Result& result, const std::vector<int>& patch_labels,
-                                         const Parameters& parameters)
-{
-  CGAL_precondition(m_shape != nullptr);
-  parameters.check();
-  const std::size_t patches = result.merge_tree.number_of_patches();
-  if (result.patches.size() != m_shape->input.number_of_elements)
-    throw std::invalid_argument("the result has " + std::to_string(result.patches.size()) +
-                                " elements, the shape has " +
-                                std::to_string(m_shape->input.number_of_elements));
-  if (patch_labels.size() != patches)
-    throw std::invalid_argument("there are " + std::to_string(patch_labels.size()) +
-                                " patch labels for " + std::to_string(patches) + " patches");
-  for (const int label : patch_labels)
-    if (label < 0 || static_cast<std::size_t>(label) >= patches)
-      throw std::invalid_argument("the patch label " + std::to_string(label) +
-                                  " is not from 0 to " + std::to_string(patches - 1));
-  internal::Representative_labels labels;
-  labels.patches = internal::representative_labels(*m_shape, result.patches);
-  for (const int patch : labels.patches) labels.segments.push_back(patch_labels[patch]);
-  return internal::finish_segmentation(*m_shape, std::move(labels), result.merge_tree, parameters,
-                                       m_control);
-}
-
-template <typename ConcurrencyTag>
-void Segmenter<ConcurrencyTag>::set_diameters(const std::vector<double>& diameters)
-{
-  CGAL_precondition(m_shape != nullptr);
-  if (diameters.size() != m_shape->input.number_of_elements)
-    throw std::invalid_argument("there are " + std::to_string(diameters.size()) +
-                                " diameters for " +
-                                std::to_string(m_shape->input.number_of_elements) + " elements");
-  internal::use_diameters(*m_shape, diameters, m_control.parallel);
-}
-
-template <typename ConcurrencyTag>
-double Segmenter<ConcurrencyTag>::convexity_rank(const std::vector<std::size_t>& subset,
-                                                 const std::size_t sample_size,
-                                                 const double tolerance) const
-{
-  CGAL_precondition(m_shape != nullptr);
-  if (sample_size == 0)
-    throw std::invalid_argument("the convexity rank needs a sample of at least 1 element");
-  if (!(tolerance >= 0. && tolerance <= 90.))
-    throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
-                                " degrees, give a value from 0 to 90");
-  const std::size_t n = m_shape->input.number_of_elements;
-  std::vector<std::size_t> rank(n);
-  for (std::size_t i = 0; i < m_shape->input.size(); ++i) rank[m_shape->input.elements[i]] = i;
-  std::vector<internal::Index> points;
-  for (const std::size_t element : subset)
-  {
-    if (element >= n)
-      throw std::invalid_argument("element " + std::to_string(element) + " is not one of the " +
-                                  std::to_string(n) + " elements of the shape");
-    points.push_back(static_cast<internal::Index>(m_shape->representative(rank[element])));
-  }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return internal::convexity_rank(*m_shape->sight, points, sample_size, tolerance);
-}
 
 namespace internal {
 
@@ -357,5 +275,7 @@ Result segment_input(const Input& input, LabelMap label_map, const NamedParamete
 } // namespace internal
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL
+
+#include <CGAL/Weakly_convex_segmentation/internal/Segmenter_impl.h>
 
 #endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_SEGMENTER_H

@@ -30,7 +30,7 @@ LAYERS = (
     ("internal/consensus/",),
     ("internal/borders/",),
     ("internal/output/",),
-    ("internal/pipeline.h",),
+    ("internal/pipeline.h", "internal/Segmenter_impl.h"),
 )
 
 

@@ -11,8 +11,7 @@
 
 // The parts of the analysis of a shape that a caller can put in the place of ours.
 
-#include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Line_of_sight_functions.h>
 #include <CGAL/Weakly_convex_segmentation/named_parameters.h>
 
@@ -27,13 +26,6 @@ struct Oracles
 {
   Line_of_sight_functions line_of_sight;
   Patch_clustering patch_clustering;
-
-  /// returns the clustering that makes the patches.
-  Patch_clustering clustering(const Parameters& parameters) const
-  {
-    if (patch_clustering) return patch_clustering;
-    return Spectral_patch_clustering(parameters.spectral_dimensions);
-  }
 };
 
 /// reads what the caller has in the place of our parts.

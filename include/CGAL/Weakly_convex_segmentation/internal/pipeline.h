@@ -12,12 +12,12 @@
 // The method as the paper's overview (figure 3) has it: points -> patches -> visibility -> components
 // -> signatures -> segments -> borders.
 
-#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/merge_patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/output/label_transfer.h>
 #include <CGAL/Weakly_convex_segmentation/internal/output/segment_statistics.h>

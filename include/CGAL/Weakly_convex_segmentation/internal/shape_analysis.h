@@ -13,6 +13,7 @@
 // depend on thresholds.
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/shape_diameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/denoise_mesh.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/face_sampling.h>
@@ -76,6 +77,13 @@ inline void sample_diameters(Shape_analysis& shape, const Diameter_parameters& p
   shape.has_diameters = is_whole;
 }
 
+/// returns the clustering that makes the patches: the caller's or ours.
+inline Patch_clustering clustering_of(const Oracles& oracles, const Patch_parameters& parameters)
+{
+  if (oracles.patch_clustering) return oracles.patch_clustering;
+  return Spectral_patch_clustering(parameters.spectral_dimensions);
+}
+
 /// runs the stages up to the signatures.
 inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parameters& parameters,
                                                      const Run_control& control,
@@ -121,9 +129,9 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
   control.stage(Stage::PATCHES,
                 [&]
                 {
-                  for (Patches& patches :
-                       extract_patch_sets(shape->points(), shape->graph, parameters,
-                                          control.parallel, shape->oracles.clustering(parameters)))
+                  for (Patches& patches : extract_patch_sets(
+                           shape->points(), shape->graph, parameters, control.parallel,
+                           clustering_of(shape->oracles, parameters)))
                     shape->patch_sets.push_back({std::move(patches), nullptr});
                   return shape->patches().size();
                 });

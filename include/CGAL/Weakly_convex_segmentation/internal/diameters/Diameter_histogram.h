@@ -25,7 +25,7 @@ namespace internal {
 /// What the bins stand for.
 struct Histogram_scale
 {
-  static constexpr std::size_t bins = 64;
+  std::size_t bins = 64;
   bool logarithmic = true; ///< equal steps of ln(diameter), else of the diameter
   double low = 0.003;      ///< diameter of the first bin's lower end; 0 if not logarithmic
   double high = 1.;        ///< diameter of the last bin's upper end

@@ -14,6 +14,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Learned_cost.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Region_cost.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/learned_cost_table.h>

@@ -12,11 +12,11 @@
 // From patches to segments by one contraction, and the merge tree of given segments: what is in one of them is
 // merged first, and then segments until one region is left, so that the tree serves any granularity.
 
-#include <CGAL/Weakly_convex_segmentation/Merge_cost.h>
 #include <CGAL/Weakly_convex_segmentation/Merge_tree.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Merge_strategy.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/contraction.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/cut_patches.h>

@@ -16,9 +16,9 @@
 // number of patches and on what becomes of patches that are not connected: we split them.
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
-#include <CGAL/Weakly_convex_segmentation/Patch_clustering.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/number_labels.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/parallel_for.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/supervoxels.h>
 
