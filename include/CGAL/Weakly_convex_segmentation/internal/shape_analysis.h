@@ -66,15 +66,18 @@ struct Shape_analysis
   }
 };
 
-/// samples the shape for the merging rules, unless that has been done.
-inline void sample_diameters(Shape_analysis& shape, const Diameter_parameters& parameters,
-                             const bool parallel)
+/// samples the diameters of the shape (section 5), unless that has been done; returns how many there are.
+inline std::size_t sample_diameters(Shape_analysis& shape, const Diameter_parameters& parameters,
+                                    const bool parallel)
 {
   const bool is_whole = parameters.diameter == Diameter_rule::WHOLE_SHAPE;
   const bool is_given = parameters.diameter == Diameter_rule::GIVEN;
-  if (!(is_whole && !shape.has_diameters) && !(is_given && shape.diameters.empty())) return;
-  shape.diameters = shape_diameters(*shape.sight, parameters, parallel);
-  shape.has_diameters = is_whole;
+  if ((is_whole && !shape.has_diameters) || (is_given && shape.diameters.empty()))
+  {
+    shape.diameters = shape_diameters(*shape.sight, parameters, parallel);
+    shape.has_diameters = is_whole;
+  }
+  return shape.diameters.size();
 }
 
 /// returns the clustering that makes the patches: the caller's or ours.
@@ -84,7 +87,66 @@ inline Patch_clustering clustering_of(const Oracles& oracles, const Patch_parame
   return Spectral_patch_clustering(parameters.spectral_dimensions);
 }
 
-/// runs the stages up to the signatures.
+/// brings the input into the frame of the method, and thins it where it is large (sections 3 and 6).
+inline std::size_t take_samples(const Raw_shape& raw, const Sampling_parameters& parameters,
+                                const Run_control& control, Shape_analysis& shape)
+{
+  Raw_shape sampled, smoothed;
+  const bool is_rough = parameters.denoise && denoise_mesh(raw, control, smoothed);
+  const Raw_shape& faces = is_rough ? smoothed : raw;
+  const bool has_more = sample_faces(faces, parameters, sampled);
+  control.check();
+  shape.input = orient_points(has_more ? sampled : faces, control.parallel, control, true);
+  control.check();
+  shape.representatives = downsample(shape.input, parameters.number_of_representatives,
+                                     control.parallel, parameters.denoise);
+  control.check();
+  if (parameters.flip_inward_normals && is_inside_out(shape.points()))
+  {
+    flip_normals(shape.input);
+    flip_normals(shape.representatives.points);
+    shape.has_flipped_normals = true;
+  }
+  if (!parameters.use_mesh_adjacency) shape.representatives.points.links.clear();
+  return shape.points().size();
+}
+
+/// joins the representatives to their neighbors, and takes the noise from them.
+inline std::size_t find_neighbors(const Sampling_parameters& parameters, const Run_control& control,
+                                  Shape_analysis& shape)
+{
+  Oriented_points& points = shape.representatives.points;
+  shape.graph =
+      build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel, true);
+  shape.is_smoothed = parameters.denoise && denoise_points(shape.graph, points) > 0;
+  return shape.graph.entries.size() / 2;
+}
+
+/// over-segments the representatives (section 4).
+inline std::size_t make_patches(const Patch_parameters& parameters, const Run_control& control,
+                                Shape_analysis& shape)
+{
+  for (Patches& patches :
+       extract_patch_sets(shape.points(), shape.graph, parameters, control.parallel,
+                          clustering_of(shape.oracles, parameters)))
+    shape.patch_sets.push_back({std::move(patches), nullptr});
+  return shape.patches().size();
+}
+
+/// makes what lines of sight are cast against; they are cast on demand (sections 3 and 4).
+inline std::size_t prepare_visibility(const Visibility_parameters& parameters,
+                                      const Run_control& control, Shape_analysis& shape)
+{
+  shape.sight = std::make_unique<Line_of_sight_query>(shape.points(), shape.graph, parameters,
+                                                      shape.oracles.line_of_sight);
+  control.check();
+  for (Patch_set& set : shape.patch_sets)
+    set.visibility =
+        std::make_unique<Patch_visibility>(*shape.sight, set.patches, parameters, control.parallel);
+  return shape.points().size();
+}
+
+/// runs the stages up to the shape diameters.
 inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parameters& parameters,
                                                      const Run_control& control,
                                                      Oracles oracles = {})
@@ -92,66 +154,12 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
   auto shape = std::make_unique<Shape_analysis>();
   shape->oracles = std::move(oracles);
   if (raw.normals.empty()) estimate_normals(raw, control, parameters.normal_orientation);
-  control.stage(Stage::SAMPLING,
-                [&]
-                {
-                  Raw_shape sampled, smoothed;
-                  const bool is_rough = parameters.denoise && denoise_mesh(raw, control, smoothed);
-                  const Raw_shape& faces = is_rough ? smoothed : raw;
-                  const bool has_more = sample_faces(faces, parameters, sampled);
-                  control.check();
-                  shape->input =
-                      orient_points(has_more ? sampled : faces, control.parallel, control, true);
-                  control.check();
-                  shape->representatives =
-                      downsample(shape->input, parameters.number_of_representatives,
-                                 control.parallel, parameters.denoise);
-                  control.check();
-                  if (parameters.flip_inward_normals && is_inside_out(shape->points()))
-                  {
-                    flip_normals(shape->input);
-                    flip_normals(shape->representatives.points);
-                    shape->has_flipped_normals = true;
-                  }
-                  if (!parameters.use_mesh_adjacency) shape->representatives.points.links.clear();
-                  return shape->points().size();
-                });
-  control.stage(
-      Stage::NEIGHBORS,
-      [&]
-      {
-        shape->graph = build_neighbor_graph(shape->representatives.points,
-                                            parameters.number_of_neighbors, control.parallel, true);
-        shape->is_smoothed =
-            parameters.denoise && denoise_points(shape->graph, shape->representatives.points) > 0;
-        return shape->graph.entries.size() / 2;
-      });
-  control.stage(Stage::PATCHES,
-                [&]
-                {
-                  for (Patches& patches : extract_patch_sets(
-                           shape->points(), shape->graph, parameters, control.parallel,
-                           clustering_of(shape->oracles, parameters)))
-                    shape->patch_sets.push_back({std::move(patches), nullptr});
-                  return shape->patches().size();
-                });
-  control.stage(Stage::VISIBILITY,
-                [&]
-                {
-                  shape->sight = std::make_unique<Line_of_sight_query>(
-                      shape->points(), shape->graph, parameters, shape->oracles.line_of_sight);
-                  control.check();
-                  for (Patch_set& set : shape->patch_sets)
-                    set.visibility = std::make_unique<Patch_visibility>(
-                        *shape->sight, set.patches, parameters, control.parallel);
-                  return shape->points().size();
-                });
+  control.stage(Stage::SAMPLING, [&] { return take_samples(raw, parameters, control, *shape); });
+  control.stage(Stage::NEIGHBORS, [&] { return find_neighbors(parameters, control, *shape); });
+  control.stage(Stage::PATCHES, [&] { return make_patches(parameters, control, *shape); });
+  control.stage(Stage::VISIBILITY, [&] { return prepare_visibility(parameters, control, *shape); });
   control.stage(Stage::SIGNATURES,
-                [&]
-                {
-                  sample_diameters(*shape, parameters, control.parallel);
-                  return shape->diameters.size();
-                });
+                [&] { return sample_diameters(*shape, parameters, control.parallel); });
   return shape;
 }
 
