@@ -230,7 +230,7 @@ void for_each_saved(const std::filesystem::path& folder, const Visit& visit)
 }
 
 /// the order in which regions are merged while samples are taken
-Path_cost path_cost(Trial& trial, const Tree_tables* tables, const WCS::Parameters& parameters)
+Path_cost path_cost(Trial& trial, const Tree_tables* tables)
 {
   if (tables != nullptr)
     return [&trial, table = tables->of_model(trial.model.number)](const int a, const int b)
@@ -239,7 +239,7 @@ Path_cost path_cost(Trial& trial, const Tree_tables* tables, const WCS::Paramete
       trial.features.compute(a, b, features);
       return -table.trees()(features);
     };
-  return [&trial, &parameters](const int a, const int b)
+  return [&trial](const int a, const int b)
   {
     const WCS::internal::Histogram_scale scale;
     const WCS::internal::Region_cost cost(trial.graph, trial.model.shape->patches(),
@@ -260,7 +260,7 @@ void samples(const std::filesystem::path& folder, const std::filesystem::path& p
                  [&](Model& model)
                  {
                    Trial trial(model, parameters);
-                   write_samples(trial, path_cost(trial, tables, parameters), out);
+                   write_samples(trial, path_cost(trial, tables), out);
                  });
   if (!out.flush()) throw std::runtime_error("can't write " + path.string());
 }

@@ -127,7 +127,7 @@ namespace CGAL {
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{told of the stages and merges}
+///     \cgalParamDescription{its functions are called at the stages and merges}
 ///     \cgalParamType{`std::ref()` of a model of `WeaklyConvexSegmentationVisitor`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

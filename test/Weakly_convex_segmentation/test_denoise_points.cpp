@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_rough_sphere_becomes_a_smooth_one)
   BOOST_CHECK_LT(turn_after, 0.4 * turn);
   BOOST_CHECK_LT(away_after, 0.7 * away);
   BOOST_CHECK_LT(roughness(surface.graph), noise_tolerance);
-  for (Index i = 0; i < surface.points.size(); ++i) // the graph tells of the smoothed points
+  for (Index i = 0; i < surface.points.size(); ++i) // the graph is that of the smoothed points
     for (const Neighbor& edge : surface.graph[i])
     {
       BOOST_REQUIRE_EQUAL(edge.concavity, signed_concavity(surface.points, i, edge.point));
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(noise_shows_in_positions_where_it_spares_the_normals)
   BOOST_CHECK_LT(normal_position_mismatch(surface.graph, surface.points), 2.f * noise_tolerance);
 }
 
-BOOST_AUTO_TEST_CASE(crumpled_points_are_thinned_to_two_sides)
+BOOST_AUTO_TEST_CASE(points_of_mixed_orientations_are_thinned_to_two_sides)
 {
   // the two sides of a plate, mixed by noise; normals that are wrong by 45 degrees and often more
   Raw_shape raw;

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// The coarsest partition whose classes are whole in every one of some segmentations.
+/// The coarsest partition of which each class lies in one segment of each of some segmentations.
 struct Overlay
 {
   std::vector<int> of_point;
