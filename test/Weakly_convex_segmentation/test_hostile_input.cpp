@@ -361,7 +361,7 @@ BOOST_AUTO_TEST_CASE(extreme_parameters)
     p.diameter_cone_angle = pick({1e-3, 60., 179.});
     p.merging_cost.larger_closure_weight = pick({0., 0.5, 1e6});
     p.merging_cost.seam_extent_weight = pick({0., 0.4, 1e6});
-    p.fusion_threshold = pick({0., 1., 1e6});
+    p.fusion_threshold = pick({0., 1., p.merging == WCS::Merging_rule::COST ? 1e6 : 0.5});
     p.minimum_segment_share = pick({0., 0.01, 1.});
     p.maximum_number_of_segments = count({0, 1, 4});
     p.band_width = pick({0., 1e-6, 0.015, 1.});

@@ -70,7 +70,7 @@ std::vector<Setting> settings()
   return {{"number_of_neighbors", "default", "dumbbell", 14.},
           {"number_of_representatives", "default", "dumbbell", 1000.},
           {"normal_orientation", "default", "bare plate", 1.},
-          {"use_mesh_adjacency", "default", "stretched dumbbell", 0.},
+          {"extra_neighbors", "default", "stretched dumbbell", 0.},
           {"seed", "default", "dumbbell", 9.},
           {"face_sampling_factor", "default", "long triangles", 0.},
           {"flip_inward_normals", "default", "inward dumbbell", 0.},

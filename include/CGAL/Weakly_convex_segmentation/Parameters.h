@@ -122,8 +122,9 @@ struct Sampling_parameters
   /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
   bool flip_inward_normals = true;
   Normal_orientation normal_orientation = Normal_orientation::PROPAGATION; ///< if none are given
-  /// whether the faces of a mesh count as neighbors where they share an edge
-  bool use_mesh_adjacency = true;
+  /// Whether there are more neighbors than the nearest ones: the faces of a mesh that share an edge, and points in
+  /// lines, as those of a laser scanner, with the nearest ones beside their line.
+  bool extra_neighbors = true;
   /// Whether vertices and points are smoothed where noise, and not the shape, turns the normals of neighbors.
   /// Shapes without noise, and the positions that are given, stay as they are.
   bool denoise = true;
@@ -242,8 +243,8 @@ inline Parameters Parameters::paper()
   p.number_of_representatives = 10000; // as many points as the paper's largest shapes have
   p.number_of_supervoxels = 10000;     // the clustering is that of the points themselves
   p.denoise = false;
-  p.use_mesh_adjacency = false; // section 6: "we first transform the meshes into point clouds"
-  p.number_of_patches = 100;    // silent; the trial of the method used 100
+  p.extra_neighbors = false; // section 6: "we first transform the meshes into point clouds"
+  p.number_of_patches = 100; // silent; the trial of the method used 100
   p.number_of_patch_sets = 1;
   p.spectral_dimensions = 1.;
   p.patch_concavity_tolerance = 0.;
@@ -282,7 +283,7 @@ void for_each_parameter(Parameters_& p, const Function& f)
   f("face_sampling_factor", p.face_sampling_factor, 0., 1000.);
   f("flip_inward_normals", p.flip_inward_normals, 0., 1.);
   f("normal_orientation", p.normal_orientation, 0., 1.);
-  f("use_mesh_adjacency", p.use_mesh_adjacency, 0., 1.);
+  f("extra_neighbors", p.extra_neighbors, 0., 1.);
   f("denoise", p.denoise, 0., 1.);
 
   f("number_of_patches", p.number_of_patches, 1., 1000.);

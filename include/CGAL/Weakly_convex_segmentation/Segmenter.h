@@ -157,7 +157,7 @@ public:
   void set_diameters(const std::vector<double>& diameters);
 
   /// returns the number of patches of the first set, about `Parameters::number_of_patches`. Those of a result
-  /// may be more: they are cut where its segments end.
+  /// may be more, as they are cut where its segments end, or fewer, as small pieces join others.
   std::size_t number_of_patches() const;
 
   /// returns the convexity rank \f$ |LoS(S)| / |S|^2 \f$ (equation 1) of a subset of the input.

@@ -107,7 +107,7 @@ inline std::size_t take_samples(const Raw_shape& raw, const Sampling_parameters&
     flip_normals(shape.representatives.points);
     shape.has_flipped_normals = true;
   }
-  if (!parameters.use_mesh_adjacency) shape.representatives.points.links.clear();
+  if (!parameters.extra_neighbors) shape.representatives.points.links.clear();
   return shape.points().size();
 }
 
@@ -116,8 +116,8 @@ inline std::size_t find_neighbors(const Sampling_parameters& parameters, const R
                                   Shape_analysis& shape)
 {
   Oriented_points& points = shape.representatives.points;
-  shape.graph =
-      build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel, true);
+  shape.graph = build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel,
+                                     parameters.extra_neighbors);
   shape.is_smoothed = parameters.denoise && denoise_points(shape.graph, points) > 0;
   return shape.graph.entries.size() / 2;
 }
