@@ -69,6 +69,7 @@ std::vector<Setting> settings()
 {
   return {{"number_of_neighbors", "default", "dumbbell", 14.},
           {"number_of_representatives", "default", "dumbbell", 1000.},
+          {"align_principal_axes", "default", "dumbbell", 0.},
           {"normal_orientation", "default", "bare plate", 1.},
           {"extra_neighbors", "default", "stretched dumbbell", 0.},
           {"seed", "default", "dumbbell", 9.},

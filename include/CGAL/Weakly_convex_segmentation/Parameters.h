@@ -121,6 +121,10 @@ struct Sampling_parameters
   /// Whether all normals are turned, for the run, where the shape is closed and its normals point
   /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
   bool flip_inward_normals = true;
+  /// Whether the shape is turned by its principal axes for the run, always tilted against them in the same way,
+  /// so that it is cut the same however it lies. The paper's lines of sight, which every disk occludes, need
+  /// flat faces to stay as flat as they are given.
+  bool align_principal_axes = true;
   Normal_orientation normal_orientation = Normal_orientation::PROPAGATION; ///< if none are given
   /// Whether there are more neighbors than the nearest ones: the faces of a mesh that share an edge, and points in
   /// lines, as those of a laser scanner, with the nearest ones beside their line.
@@ -243,6 +247,7 @@ inline Parameters Parameters::paper()
   p.number_of_representatives = 10000; // as many points as the paper's largest shapes have
   p.number_of_supervoxels = 10000;     // the clustering is that of the points themselves
   p.denoise = false;
+  p.align_principal_axes = false;
   p.extra_neighbors = false; // section 6: "we first transform the meshes into point clouds"
   p.number_of_patches = 100; // silent; the trial of the method used 100
   p.number_of_patch_sets = 1;
@@ -282,6 +287,7 @@ void for_each_parameter(Parameters_& p, const Function& f)
   f("number_of_representatives", p.number_of_representatives, 100., 1e9);
   f("face_sampling_factor", p.face_sampling_factor, 0., 1000.);
   f("flip_inward_normals", p.flip_inward_normals, 0., 1.);
+  f("align_principal_axes", p.align_principal_axes, 0., 1.);
   f("normal_orientation", p.normal_orientation, 0., 1.);
   f("extra_neighbors", p.extra_neighbors, 0., 1.);
   f("denoise", p.denoise, 0., 1.);

@@ -96,7 +96,8 @@ inline std::size_t take_samples(const Raw_shape& raw, const Sampling_parameters&
   const Raw_shape& faces = is_rough ? smoothed : raw;
   const bool has_more = sample_faces(faces, parameters, sampled);
   control.check();
-  shape.input = orient_points(has_more ? sampled : faces, control.parallel, control, true);
+  shape.input = orient_points(has_more ? sampled : faces, control.parallel, control,
+                              parameters.align_principal_axes);
   control.check();
   shape.representatives = downsample(shape.input, parameters.number_of_representatives,
                                      control.parallel, parameters.denoise);
