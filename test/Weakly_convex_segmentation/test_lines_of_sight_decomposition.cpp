@@ -110,7 +110,12 @@ BOOST_AUTO_TEST_CASE(separate_shapes_are_separate_parts)
   for (const double x : {0., 3., 6.}) Shapes_for_tests::add_sphere(raw, {x, 0., 0.}, 1., 700);
   std::vector<int> truth(raw.positions.size());
   for (std::size_t i = 0; i < truth.size(); ++i) truth[i] = static_cast<int>(i / 700);
-  BOOST_TEST(decompose(*analyze_shape(std::move(raw), {}, {})) == truth);
+  const auto shape = analyze_shape(std::move(raw), {}, {});
+  BOOST_TEST(decompose(*shape) == truth);
+  const auto spectrum = Lines_of_sight::laplacian_spectrum(Lines_of_sight::line_of_sight_matrix(
+      *shape->sight, Lines_of_sight::farthest_points(shape->points(), 500), 5., false));
+  BOOST_TEST(spectrum.values[2] < 0.05); // few lines graze both of two
+  BOOST_TEST(spectrum.values[3] > 0.5);
 }
 
 BOOST_AUTO_TEST_CASE(meshes_and_threads_and_seeds)
@@ -130,9 +135,16 @@ BOOST_AUTO_TEST_CASE(few_points)
   for (int i = 0; i < 3; ++i) Shapes_for_tests::add_point(raw, {1., 2., 3.}, {0., 0., 1.});
   const auto shape = analyze_shape(std::move(raw), {}, {});
   BOOST_TEST(number_of_labels(decompose(*shape, settings(2))) == 1u); // all the same
-  Settings too_few;
-  too_few.number_of_samples = 1;
-  BOOST_CHECK_THROW(decompose(*shape, too_few), std::invalid_argument);
+  const auto refused = [&](const auto& change)
+  {
+    Settings bad;
+    change(bad);
+    BOOST_CHECK_THROW(decompose(*shape, bad), std::invalid_argument);
+  };
+  refused([](auto& s) { s.number_of_samples = 1; });
+  refused([](auto& s) { s.number_of_segments = s.number_of_samples + 1; });
+  refused([](auto& s) { s.maximum_number_of_segments = 0; });
+  refused([](auto& s) { s.outside_tolerance = -1.; });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -43,7 +43,7 @@ struct Settings
 ///   - lines of sight are cast between `number_of_samples` points, each the farthest from those before,
 ///     where opposite normals count as 6 % of the extent of the shape;
 ///   - points occlude as disks as large as the mean distance to their neighbors, but not near the ends
-///     of a line (`Parameters::disk_radius_factor`, `Parameters::clearance_factor`); lines must not
+///     of a line (`make_disk_tree()`); lines must not
 ///     leave the surface outwards (`outside_tolerance`);
 ///   - the affinity of two points is 1 in line of sight and 0 else, of a point with itself 1; the
 ///     Laplacian is the symmetric normalized one;
@@ -65,6 +65,11 @@ inline std::vector<int> decompose(const WCS::internal::Shape_analysis& shape,
 {
   if (settings.number_of_samples < 2)
     throw std::invalid_argument("the lines of sight need at least 2 samples");
+  if (settings.number_of_segments > settings.number_of_samples)
+    throw std::invalid_argument("there can't be more parts than samples");
+  if (settings.maximum_number_of_segments == 0)
+    throw std::invalid_argument("the largest number of parts is 0, give a value from 1 on");
+  WCS::internal::check_range("outside_tolerance", settings.outside_tolerance, 0., 90.);
   const std::vector<Index> sample = farthest_points(shape.points(), settings.number_of_samples);
   const Spectrum spectrum = laplacian_spectrum(
       line_of_sight_matrix(*shape.sight, sample, settings.outside_tolerance, parallel));
