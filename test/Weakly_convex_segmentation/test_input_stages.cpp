@@ -505,7 +505,7 @@ BOOST_AUTO_TEST_CASE(a_turned_part_in_rings_has_the_parts_of_the_shape)
   std::vector<int> wanted;
   for (const auto& p : raw.positions) wanted.push_back(p[0] < 1.99 ? 0 : 1);
   BOOST_CHECK_LT(rand_distance(labels, wanted), 0.05);
-  parameters.extra_neighbors = false;
+  parameters.extra_neighbors = CGAL::Weakly_convex_segmentation::Extra_neighbors::NONE;
   BOOST_CHECK_GT(rand_distance(Compiled_core::segment_points(raw, parameters, {}).labels, wanted),
                  0.3);
 }

@@ -213,11 +213,41 @@ BOOST_AUTO_TEST_CASE(contraction_never_merges_a_forbidden_pair)
   BOOST_CHECK_LT(rand_distance(shape.point_labels(graph.labels()), shape.truth), 0.02);
 }
 
+BOOST_AUTO_TEST_CASE(a_sweep_meets_each_pair_once_in_order)
+{
+  // four regions in a row, and the costs of joining them to the next
+  const std::vector<double> costs = {1., 2., 3.};
+  const auto labels_after = [&](const std::size_t largest, const double forbidden)
+  {
+    Shape shape({2, 2, 2, 2}, {{0, 2, 0.}, {2, 4, 0.}, {4, 6, 0.}}, Parameters::paper());
+    Region_graph graph = shape.regions();
+    Merge_tree tree(4);
+    sweep(
+        graph,
+        [&](const int a, const int b)
+        {
+          BOOST_CHECK_EQUAL(b, a + 1); // asked before the first merge
+          return costs[a] < forbidden ? costs[a] : never;
+        },
+        [&](const int a, const int b)
+        { return graph.region(a).patches.size() + graph.region(b).patches.size() <= largest; },
+        {tree, nullptr});
+    BOOST_CHECK(tree.labels_after(tree.merges().size()) == graph.labels());
+    return graph.labels();
+  };
+  using Labels = std::vector<int>;
+  BOOST_CHECK((labels_after(4, never) == Labels{0, 0, 0, 0}));
+  BOOST_CHECK((labels_after(2, never) == Labels{0, 0, 1, 1})); // 1 and 2 belong to pairs by then
+  BOOST_CHECK((labels_after(3, never) == Labels{0, 0, 0, 1}));
+  BOOST_CHECK((labels_after(4, 3.) == Labels{0, 0, 0, 1}));
+}
+
 BOOST_AUTO_TEST_CASE(fusion_respects_its_thresholds)
 {
   for (const std::string name : {"hand", "l_shape"})
   {
     Parameters parameters = Parameters::paper();
+    parameters.fusion = Fusion_rule::EVERY_PAIR;
     Shape shape(name, parameters);
     Region_graph every = shape.regions();
     Merge_tree tree(shape.patches.size());
@@ -237,8 +267,19 @@ BOOST_AUTO_TEST_CASE(fusion_respects_its_thresholds)
     BOOST_CHECK_LE(average.number_of_regions(), every.number_of_regions());
     // an L may be in its two halves already
     if (name == "hand") BOOST_CHECK_LT(average.number_of_regions(), every.number_of_regions());
-    for (const auto& [a, b] : adjacent_pairs(average))
-      BOOST_CHECK_LT(average.visibility(a, b), 0.7);
+    for (const Region& region : average.regions()) // a component sees itself nearly everywhere
+    {
+      double free = 0., pairs = 0.;
+      for (const int p : region.patches)
+        for (const int q : region.patches)
+        {
+          const double weight = static_cast<double>(shape.patches.members[p].size()) *
+                                static_cast<double>(shape.patches.members[q].size());
+          free += p == q ? weight : weight * (*shape.visibility)(p, q);
+          pairs += weight;
+        }
+      BOOST_CHECK_GE(free, (0.7 - 1e-6) * pairs);
+    }
 
     parameters.fusion_thresholds = {0.999};
     Region_graph strict = shape.regions();
@@ -305,6 +346,41 @@ BOOST_AUTO_TEST_CASE(similar_components_merge_but_not_over_concave_seams)
   }
 }
 
+BOOST_AUTO_TEST_CASE(any_two_similar_components_merge_as_they_were)
+{
+  // each is like the next, the first and the last are not: distances are not measured again in between
+  Parameters parameters = Parameters::paper();
+  parameters.diameter = Diameter_rule::WHOLE_SHAPE;
+  Shape shape({1, 1, 1, 1}, {{0, 1, 0.}, {1, 2, 0.}, {2, 3, 0.}}, parameters);
+  Region_graph graph = shape.regions();
+  Component_signatures signatures(shape.points, shape.patches, parameters, false);
+  Merge_tree tree(4);
+  signatures.measure(graph,
+                     {{0, 1.f, {}, {}}, {1, 0.92f, {}, {}}, {2, 0.84f, {}, {}}, {3, 0.1f, {}, {}}});
+  BOOST_CHECK_LT(signatures.distance(graph.region(0), graph.region(1)), 0.12);
+  BOOST_CHECK_GT(signatures.distance(graph.region(0), graph.region(2)), 0.12);
+  merge_similar_components(graph, signatures, parameters, {tree, nullptr});
+  BOOST_CHECK((graph.labels() == std::vector<int>{0, 0, 0, 1}));
+}
+
+BOOST_AUTO_TEST_CASE(distances_are_relative_to_the_largest_one)
+{
+  Parameters parameters = Parameters::paper();
+  parameters.diameter = Diameter_rule::WHOLE_SHAPE;
+  Shape shape({1, 1, 1}, {{0, 1, 0.}, {1, 2, 0.}}, parameters);
+  Region_graph graph = shape.regions();
+  Component_signatures signatures(shape.points, shape.patches, parameters, false);
+  const auto distance = [&](const float diameter_of_third)
+  {
+    signatures.measure(graph,
+                       {{0, 1.f, {}, {}}, {1, 0.9f, {}, {}}, {2, diameter_of_third, {}, {}}});
+    return signatures.distance(graph.region(0), graph.region(1));
+  };
+  BOOST_CHECK_CLOSE(distance(0.9f), 1., 1e-9); // there is no other
+  BOOST_CHECK_CLOSE(distance(0.5f), 0.2, 10.); // of .5
+  BOOST_CHECK_CLOSE(distance(0.f), 0.1, 10.); // a component without a diameter is as thin as can be
+}
+
 BOOST_AUTO_TEST_CASE(a_flat_component_joins_an_adequate_neighbor)
 {
   // region 0 is flat; 1 and 2 are its neighbors, over seams of the given concavities in degrees
@@ -319,7 +395,7 @@ BOOST_AUTO_TEST_CASE(a_flat_component_joins_an_adequate_neighbor)
     Region_graph graph = shape.regions();
     return neighbor_of_flat_component(graph, 0, visibility);
   };
-  BOOST_CHECK_EQUAL(neighbor({-5., -5., -5., -5., 20.}, {-5., -5., 0.}),
+  BOOST_CHECK_EQUAL(neighbor({-5., -5., -5., -5., 20.}, {-5., -5., 5.}),
                     2);                                        // strictly convex first
   BOOST_CHECK_EQUAL(neighbor({-5., -5.}, {-5., -5., 0.}), 2);  // the longer one
   BOOST_CHECK_EQUAL(neighbor({-5., -5., 20.}, {-5., 20.}), 1); // the higher ratio
@@ -334,9 +410,14 @@ BOOST_AUTO_TEST_CASE(a_flat_component_joins_an_adequate_neighbor)
   Region_graph graph = shape.regions();
   Component_signatures signatures(shape.points, shape.patches, parameters, false);
   Merge_tree tree(3);
-  signatures.measure(graph, {{0, 0.f, {}, {}}, {4, 0.3f, {}, {}}, {8, 0.7f, {}, {}}});
-  BOOST_CHECK(signatures.is_flat(graph.region(0)));
-  BOOST_CHECK(!signatures.is_flat(graph.region(1)));
+  signatures.measure(graph, {{0, 0.f, {}, {}},
+                             {1, 0.f, {}, {}},
+                             {2, 0.3f, {}, {}},
+                             {4, 0.f, {}, {}},
+                             {5, 0.3f, {}, {}},
+                             {8, 0.7f, {}, {}}});
+  BOOST_CHECK(signatures.is_flat(graph.region(0)));  // most samples have no diameter
+  BOOST_CHECK(!signatures.is_flat(graph.region(1))); // half of them have
   merge_flat_components(graph, signatures, parameters, {tree, nullptr});
   BOOST_CHECK((graph.labels() == std::vector<int>{0, 0, 1}));
 }

@@ -69,7 +69,6 @@ std::vector<Setting> settings()
 {
   return {{"number_of_neighbors", "default", "dumbbell", 14.},
           {"number_of_representatives", "default", "dumbbell", 1000.},
-          {"align_principal_axes", "default", "dumbbell", 0.},
           {"normal_orientation", "default", "bare plate", 1.},
           {"extra_neighbors", "default", "stretched dumbbell", 0.},
           {"seed", "default", "dumbbell", 9.},
@@ -87,7 +86,7 @@ std::vector<Setting> settings()
           {"merging", "default", "dumbbell", 0., {"merging_threshold=1"}},
           {"diameter", "default", "dumbbell", 0.},
           {"refinement", "default", "hand", 0.},
-          {"fusion", "paper", "hand", 1.},
+          {"fusion", "paper", "hand", 0.},
           {"fusion_thresholds[0]", "paper", "hand", 0.2},
           {"fusion_thresholds[1]", "paper", "hand", 0.2},
           {"fusion_thresholds[2]", "paper", "hand", 0.2},
@@ -213,7 +212,7 @@ BOOST_AUTO_TEST_CASE(presets_are_in_range)
     BOOST_CHECK_EQUAL(refusal(preset), "");
   const Parameters paper = Parameters::paper();
   BOOST_CHECK((paper.fusion_thresholds == std::vector<double>{0.9, 0.8, 0.7}));
-  BOOST_CHECK(paper.fusion == Fusion_rule::EVERY_PAIR);
+  BOOST_CHECK(paper.fusion == Fusion_rule::AVERAGE);
   BOOST_CHECK(paper.refinement == Refinement_rule::ALPHA_EXPANSION);
   BOOST_CHECK_EQUAL(paper.number_of_neighbors, 10u);
   BOOST_CHECK_CLOSE(paper.diameter_cone_angle, 360. / 18., 1e-9);

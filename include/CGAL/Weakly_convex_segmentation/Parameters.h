@@ -106,6 +106,16 @@ inline std::vector<double> three_thetas()
 } // namespace internal
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
+/// Who is a neighbor of a point beside the nearest points.
+enum class Extra_neighbors
+{
+  NONE,           ///< nobody
+  FACES,          ///< of a face of a mesh, those that share an edge with it
+  FACES_AND_LINES ///< and of a point in a line of points, as those of a laser scanner, the nearest ones
+                  ///< beside its line
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
 /// What the points and the neighbor graph are made with (section 3).
 struct Sampling_parameters
 {
@@ -121,14 +131,8 @@ struct Sampling_parameters
   /// Whether all normals are turned, for the run, where the shape is closed and its normals point
   /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
   bool flip_inward_normals = true;
-  /// Whether the shape is turned by its principal axes for the run, always tilted against them in the same way,
-  /// so that it is cut the same however it lies. The paper's lines of sight, which every disk occludes, need
-  /// flat faces to stay as flat as they are given.
-  bool align_principal_axes = true;
   Normal_orientation normal_orientation = Normal_orientation::PROPAGATION; ///< if none are given
-  /// Whether there are more neighbors than the nearest ones: the faces of a mesh that share an edge, and points in
-  /// lines, as those of a laser scanner, with the nearest ones beside their line.
-  bool extra_neighbors = true;
+  Extra_neighbors extra_neighbors = Extra_neighbors::FACES_AND_LINES;      ///< beside the nearest
   /// Whether vertices and points are smoothed where noise, and not the shape, turns the normals of neighbors.
   /// Shapes without noise, and the positions that are given, stay as they are.
   bool denoise = true;
@@ -243,26 +247,26 @@ struct Parameters : Sampling_parameters,
 inline Parameters Parameters::paper()
 {
   Parameters p;
-  p.face_sampling_factor = 0.;         // section 6: one point a face
+  p.face_sampling_factor = 0.; // section 6: "a point corresponding to the center of each triangle"
   p.number_of_representatives = 10000; // as many points as the paper's largest shapes have
   p.number_of_supervoxels = 10000;     // the clustering is that of the points themselves
   p.denoise = false;
-  p.align_principal_axes = false;
-  p.extra_neighbors = false; // section 6: "we first transform the meshes into point clouds"
-  p.number_of_patches = 100; // silent; the trial of the method used 100
+  p.extra_neighbors = Extra_neighbors::FACES; // section 3: meshes are "augmented point clouds"
+  p.number_of_patches = 100;                  // silent; the trial of the method used 100
   p.number_of_patch_sets = 1;
   p.spectral_dimensions = 1.;
   p.patch_concavity_tolerance = 0.;
-  p.grazing_tolerance = 0.; // section 3: every disk on the line occludes it
+  p.grazing_tolerance = 5.; // silent; else neighbors on a flat or noisy surface hide each other
   p.maximum_rays_per_pair = 0;
   p.merging = Merging_rule::PAPER;
+  p.fusion = Fusion_rule::AVERAGE; // section 4: "intra-component mutual visibility"
   p.diameter = Diameter_rule::OWN_POINTS;
   p.refinement = Refinement_rule::ALPHA_EXPANSION;
   p.seam_concavity_tolerance = 9.; // epsilon = 0.05 pi
   p.merging_threshold = 0.12;      // sigma
   p.diameter_cone_angle = 20.;     // alpha = 2 pi / 18, read as the full opening
   p.minimum_segment_share = 0.;
-  p.band_width = 0.015;
+  p.band_width = 0.015; // silent: "a narrow band"
   return p;
 }
 
@@ -287,9 +291,8 @@ void for_each_parameter(Parameters_& p, const Function& f)
   f("number_of_representatives", p.number_of_representatives, 100., 1e9);
   f("face_sampling_factor", p.face_sampling_factor, 0., 1000.);
   f("flip_inward_normals", p.flip_inward_normals, 0., 1.);
-  f("align_principal_axes", p.align_principal_axes, 0., 1.);
   f("normal_orientation", p.normal_orientation, 0., 1.);
-  f("extra_neighbors", p.extra_neighbors, 0., 1.);
+  f("extra_neighbors", p.extra_neighbors, 0., 2.);
   f("denoise", p.denoise, 0., 1.);
 
   f("number_of_patches", p.number_of_patches, 1., 1000.);

@@ -96,8 +96,7 @@ inline std::size_t take_samples(const Raw_shape& raw, const Sampling_parameters&
   const Raw_shape& faces = is_rough ? smoothed : raw;
   const bool has_more = sample_faces(faces, parameters, sampled);
   control.check();
-  shape.input = orient_points(has_more ? sampled : faces, control.parallel, control,
-                              parameters.align_principal_axes);
+  shape.input = orient_points(has_more ? sampled : faces, control.parallel, control, true);
   control.check();
   shape.representatives = downsample(shape.input, parameters.number_of_representatives,
                                      control.parallel, parameters.denoise);
@@ -108,7 +107,8 @@ inline std::size_t take_samples(const Raw_shape& raw, const Sampling_parameters&
     flip_normals(shape.representatives.points);
     shape.has_flipped_normals = true;
   }
-  if (!parameters.extra_neighbors) shape.representatives.points.links.clear();
+  if (parameters.extra_neighbors == Extra_neighbors::NONE)
+    shape.representatives.points.links.clear();
   return shape.points().size();
 }
 
@@ -117,8 +117,9 @@ inline std::size_t find_neighbors(const Sampling_parameters& parameters, const R
                                   Shape_analysis& shape)
 {
   Oriented_points& points = shape.representatives.points;
-  shape.graph = build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel,
-                                     parameters.extra_neighbors);
+  shape.graph =
+      build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel,
+                           parameters.extra_neighbors == Extra_neighbors::FACES_AND_LINES);
   shape.is_smoothed = parameters.denoise && denoise_points(shape.graph, points) > 0;
   return shape.graph.entries.size() / 2;
 }

@@ -12,6 +12,8 @@
 // Border refinement as the paper has it (section 5, equations 3-5): alpha expansion over the labels of
 // all segments, in a narrow band.
 //
+// The maximum of equation 3 is, for each label, over the points of the band, outside of which no label moves.
+//
 // The angle beta of equation 5 is read as the exterior one between the tangent planes, pi for a flat
 // border and less for a concave one: the paper wants a smaller cost where the surface is concave, and
 // the plain angle between the normals would make flat cuts free and concave ones dear.
@@ -191,9 +193,10 @@ band_problem(const Neighbor_graph& graph, const std::vector<int>& labels,
 {
   constexpr std::size_t outside = static_cast<std::size_t>(-1);
   constexpr double fixed = 1e4; // labels that are out of reach
-  double largest = 0.;          // the denominator of equation 3
+  std::vector<float> farthest(static_cast<std::size_t>(number_of_labels), 1e-20f); // of equation 3
   for (const auto& row : near_labels)
-    for (const auto& entry : row) largest = (std::max)(largest, static_cast<double>(entry.second));
+    for (const auto& [label, distance] : row)
+      farthest[label] = (std::max)(farthest[label], distance);
   std::vector<std::size_t> vertex_of(graph.size(), outside);
   for (std::size_t v = 0; v < points.size(); ++v) vertex_of[points[v]] = v;
   constexpr double data_weight = 0.1; // against the smoothness cost (equation 3)
@@ -203,7 +206,7 @@ band_problem(const Neighbor_graph& graph, const std::vector<int>& labels,
     std::vector<double> costs(static_cast<std::size_t>(number_of_labels), fixed);
     costs[labels[i]] = 0.;
     for (const auto& [label, distance] : near_labels[i])
-      costs[label] = data_weight * std::pow(distance / largest, data_exponent);
+      costs[label] = data_weight * std::pow(distance / farthest[label], data_exponent);
     problem.label_costs.push_back(std::move(costs));
     for (const Neighbor& edge : graph[i])
       if (edge.point > i && vertex_of[edge.point] != outside)

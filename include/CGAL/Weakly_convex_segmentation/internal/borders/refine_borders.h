@@ -55,7 +55,7 @@ inline void remove_islands(const Neighbor_graph& graph, std::vector<int>& labels
   }
 }
 
-/// moves the borders by the rule that is asked for.
+/// moves the borders once, by the rule that is asked for.
 inline void move_borders(const Neighbor_graph& graph, const Border_parameters& parameters,
                          std::vector<int>& labels, const bool parallel)
 {
@@ -65,21 +65,22 @@ inline void move_borders(const Neighbor_graph& graph, const Border_parameters& p
     expand_labels(graph, parameters, labels);
 }
 
-/// moves the borders and removes what islands that leaves; returns the number of points that changed. By
-/// cuts of seams again from where they are then, until they stay: borders that began apart come to the same
-/// place more often. The paper's rule moves them once.
+/// moves the borders; returns the number of points that changed. Cuts of seams are repeated from where they are
+/// then, without what islands they leave, until they stay: borders that began apart come to the same place more
+/// often. The paper's rule moves all of them once, and has no such islands.
 inline std::size_t refine_borders(const Neighbor_graph& graph, const Border_parameters& parameters,
                                   std::vector<int>& labels, const bool parallel = false)
 {
   if (parameters.refinement == Refinement_rule::NONE || parameters.band_width == 0.) return 0;
-  const int most_rounds = parameters.refinement == Refinement_rule::SEAM_CUTS ? 3 : 1;
+  const bool is_repeated = parameters.refinement == Refinement_rule::SEAM_CUTS;
+  const int most_rounds = is_repeated ? 3 : 1;
   const std::vector<int> before = labels;
   std::vector<int> last;
   for (int round = 0; round < most_rounds && labels != last; ++round)
   {
     last = labels;
     move_borders(graph, parameters, labels, parallel);
-    remove_islands(graph, labels);
+    if (is_repeated) remove_islands(graph, labels);
   }
   std::size_t moved = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) moved += labels[i] != before[i] ? 1 : 0;

@@ -58,6 +58,15 @@ inline float weighted_median(std::vector<std::pair<float, float>>& values)
   return 0.f;
 }
 
+/// returns the lower median of `values`, 0 if there are none.
+inline float median(std::vector<float>& values)
+{
+  if (values.empty()) return 0.f;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// returns unit vectors in a cone about the unit vector `axis`, evenly spread (a sunflower).
 inline void cone_directions(const Vector3& axis, const float half_angle, const std::size_t count,
                             std::vector<Vector3>& directions)
@@ -119,8 +128,8 @@ inline std::vector<Diameter_sample> shape_diameters(const Line_of_sight_query& s
   return samples;
 }
 
-/// measures the diameters of a component from its own points only, as the paper does: the lengths to
-/// the points in a cone about the reversed normal, weighted by the cosine, median; at
+/// measures the diameters of a component from its own points only, as the paper does: the median of the lengths
+/// to the points in a cone about the reversed normal, each times the cosine of its angle; at
 /// max(100, 0.1 |C|) points spread over the component.
 inline std::vector<Diameter_sample> own_diameters(const Oriented_points& points,
                                                   const std::vector<Index>& component,
@@ -136,18 +145,15 @@ inline std::vector<Diameter_sample> own_diameters(const Oriented_points& points,
       [&](const std::size_t s)
       {
         const Index u = sample[s];
-        std::vector<std::pair<float, float>> lengths;
+        std::vector<float> lengths;
         for (const Index v : component)
         {
           const Vector3 ray = points.positions[v] - points.positions[u];
-          const float along = -dot(points.normals[u], ray), l2 = squared_length(ray);
-          if (along > 0.f && along * along >= lowest * lowest * l2)
-          {
-            const float l = std::sqrt(l2);
-            lengths.push_back({l, along / l});
-          }
+          const float along = -dot(points.normals[u], ray);
+          if (along > 0.f && along * along >= lowest * lowest * squared_length(ray))
+            lengths.push_back(along);
         }
-        samples[s] = {u, weighted_median(lengths), {}, {}};
+        samples[s] = {u, median(lengths), {}, {}};
       },
       16);
   return samples;

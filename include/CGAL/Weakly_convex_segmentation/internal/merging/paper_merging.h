@@ -12,9 +12,14 @@
 // The paper's way of merging: patches that see each other are fused into weakly convex components (section 4),
 // and components merged by volumetric signature and seam sets (section 5).
 //
-// Where the paper is silent: histograms have equal bins from 0 to the largest diameter of the shape;
-// max(D) is over all pairs, adjacent or not; pairs are merged by ascending distance and the histograms
-// of merged components add up; a component is flat if hardly any sample has a diameter.
+// Section 4 wants theta "for all pairs of patches contained in" two components, but also to keep "the
+// intra-component mutual visibility above a threshold", and the caption of figure 4 calls the former relaxed.
+// `Fusion_rule::AVERAGE` takes the share of the pairs of points that see each other, which is what the
+// convexity rank (equation 1) counts. With one bad pair of patches as a veto, `EVERY_PAIR`, components stay small.
+//
+// Where the paper is silent: histograms have 64 equal bins from 0 to the largest diameter of the shape, and max(D)
+// is over all pairs, adjacent or not. The manual's table of sentences has the measured
+// alternatives.
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/shape_diameters.h>
@@ -30,23 +35,20 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// runs one round for each threshold theta: adjacent components are fused by descending visibility
-/// while theta holds for all pairs of patches across them, or for their average.
-///
-/// The text asks for all pairs; with one bad pair as a veto the components stay small. The caption of
-/// figure 4 speaks of a relaxed criterion: `Fusion_rule::AVERAGE` is our reading of it.
+/// runs one iteration for each threshold theta: goes over the pairs of adjacent components, sorted by descending
+/// visibility, and fuses them where theta holds for what they have grown to by then.
 inline void fuse_components(Region_graph& graph, const Parameters& parameters,
                             const Contraction_log& log)
 {
+  const auto blindness = [&](const int a, const int b) { return 1. - graph.visibility(a, b); };
   for (const double theta : parameters.fusion_thresholds)
-    contract(
-        graph,
+    sweep(
+        graph, blindness,
         [&](const int a, const int b)
         {
-          const double average = graph.visibility(a, b);
-          const double decisive =
-              parameters.fusion == Fusion_rule::AVERAGE ? average : graph.least_visibility(a, b);
-          return decisive >= theta ? 1. - average : std::numeric_limits<double>::infinity();
+          return theta <= (parameters.fusion == Fusion_rule::AVERAGE
+                               ? graph.visibility(a, b)
+                               : graph.least_visibility(a, b));
         },
         log);
 }
@@ -96,11 +98,11 @@ public:
     find_largest_distance(graph);
   }
 
+  /// "The vast majority of points [...] marked as having no SDF value": most samples have nothing opposite to them.
+  /// Neighbors across a rim give hardly any component no diameter at all.
   bool is_flat(const Region& region) const
   {
-    constexpr double flat_share = 0.1; // silent: of the samples, at most so many have a diameter
-    return region.diameters.empty() ||
-           region.diameters.measured <= flat_share * region.diameters.samples;
+    return 2. * region.diameters.measured < region.diameters.samples || region.diameters.empty();
   }
 
   /// returns the distance of two signatures relative to the largest one, in [0, 1].
@@ -119,18 +121,26 @@ private:
     return result;
   }
 
+  /// finds max(D). The matrix is one of all pairs, also those with a component without a diameter, which is as thin
+  /// as can be: the distance to it is the mean diameter of the other.
   void find_largest_distance(const Region_graph& graph)
   {
+    std::vector<const Diameter_histogram*> signatures;
+    bool is_one_empty = false;
+    for (const Region& region : graph.regions())
+      if (!region.diameters.empty())
+        signatures.push_back(&region.diameters);
+      else if (region.size > 0.)
+        is_one_empty = true;
     m_largest_distance = 0.;
-    for (std::size_t a = 0; a < graph.regions().size(); ++a)
+    for (std::size_t a = 0; a < signatures.size(); ++a)
+    {
+      if (is_one_empty)
+        m_largest_distance = (std::max)(m_largest_distance, signatures[a]->mean(m_scale));
       for (std::size_t b = 0; b < a; ++b)
-      {
-        const Region &first = graph.regions()[a], &second = graph.regions()[b];
-        if (!is_flat(first) && !is_flat(second))
-          m_largest_distance =
-              (std::max)(m_largest_distance,
-                         earth_movers_distance(first.diameters, second.diameters, m_scale));
-      }
+        m_largest_distance = (std::max)(
+            m_largest_distance, earth_movers_distance(*signatures[a], *signatures[b], m_scale));
+    }
     if (m_largest_distance == 0.) m_largest_distance = 1.;
   }
 
@@ -142,30 +152,30 @@ private:
   double m_largest_distance = 1.;
 };
 
-/// merges adjacent components of similar signature, but over seams that are too concave.
+/// merges any two adjacent components of similar signature, but over seams that are too concave. Distances and
+/// seams are those before the first merge, as the paper's matrix D is.
 inline void merge_similar_components(Region_graph& graph, const Component_signatures& signatures,
                                      const Parameters& parameters, const Contraction_log& log)
 {
-  contract(
-      graph,
-      [&](const int a, const int b)
-      {
-        constexpr double never = std::numeric_limits<double>::infinity();
-        constexpr double concave_seam_ratio = 0.85; // of concave to convex seam edges
-        const Region &first = graph.region(a), &second = graph.region(b);
-        if (signatures.is_flat(first) || signatures.is_flat(second)) return never;
-        const Seam& seam = graph.seam(a, b);
-        if (seam.concave > 0. && seam.concave >= concave_seam_ratio * seam.convex) return never;
-        const double d = signatures.distance(first, second);
-        return d <= parameters.merging_threshold ? d : never;
-      },
-      log);
+  const auto distance = [&](const int a, const int b)
+  {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double concave_seam_ratio = 0.85; // of concave to convex seam edges
+    const Region &first = graph.region(a), &second = graph.region(b);
+    if (signatures.is_flat(first) || signatures.is_flat(second)) return never;
+    const Seam& seam = graph.seam(a, b);
+    if (seam.concave > 0. && seam.concave >= concave_seam_ratio * seam.convex) return never;
+    const double d = signatures.distance(first, second);
+    return d <= parameters.merging_threshold ? d : never;
+  };
+  sweep(
+      graph, distance, [](int, int) { return true; }, log);
 }
 
 /// returns the neighbor that a flat component joins, or -1.
 ///
-/// First the longest seam that is strictly convex, then the highest ratio of convex to concave seam
-/// edges, if it is at least 1 and the two see each other well enough.
+/// First the longest seam that is strictly convex, without an edge in CNCSeam, then the highest ratio of convex to
+/// concave seam edges, if it is at least 1 and the two see each other well enough.
 inline int neighbor_of_flat_component(Region_graph& graph, const int flat,
                                       const double flat_visibility = 0.4)
 {
@@ -179,18 +189,15 @@ inline int neighbor_of_flat_component(Region_graph& graph, const int flat,
   }
   std::sort(by_length.begin(), by_length.end());
   for (const auto& entry : by_length)
-  {
-    const Seam& seam = graph.seam(flat, entry.second);
-    if (seam.convex == seam.edges) return entry.second;
-  }
+    if (graph.seam(flat, entry.second).concave == 0.) return entry.second;
   std::sort(by_ratio.begin(), by_ratio.end());
   for (const auto& [negative_ratio, other] : by_ratio)
     if (-negative_ratio >= 1. && graph.visibility(flat, other) >= flat_visibility) return other;
   return -1;
 }
 
-/// gives each flat component to an adequate neighbor, if there is one.
-inline void merge_flat_components(Region_graph& graph, const Component_signatures& signatures,
+/// gives each flat component to an adequate neighbor, if there is one; returns whether any is flat.
+inline bool merge_flat_components(Region_graph& graph, const Component_signatures& signatures,
                                   const Parameters& parameters, const Contraction_log& log)
 {
   std::vector<int> flat;
@@ -204,17 +211,18 @@ inline void merge_flat_components(Region_graph& graph, const Component_signature
     graph.merge(other, r);
     log.add(other, r, parameters.merging_threshold);
   }
+  return !flat.empty();
 }
 
-/// merges the components into segments: similar ones, flat ones, and with the signatures measured
-/// anew once more similar ones.
+/// merges the components into segments: similar ones, and if there are flat ones, these, and with the signatures
+/// measured anew once more similar ones.
 inline void merge_components(Region_graph& graph, Component_signatures& signatures,
                              const std::vector<Diameter_sample>& given_diameters,
                              const Parameters& parameters, const Contraction_log& log)
 {
   signatures.measure(graph, given_diameters);
   merge_similar_components(graph, signatures, parameters, log);
-  merge_flat_components(graph, signatures, parameters, log);
+  if (!merge_flat_components(graph, signatures, parameters, log)) return;
   signatures.measure(graph, given_diameters);
   merge_similar_components(graph, signatures, parameters, log);
 }

@@ -68,8 +68,9 @@ inline Border_points move_borders_among(const Shape_analysis& shape,
 {
   Border_points border{sub_points(shape.input, chosen), {}, {}};
   if (!keeps_links) border.points.links.clear();
-  border.graph = build_neighbor_graph(border.points, parameters.number_of_neighbors,
-                                      control.parallel, parameters.extra_neighbors);
+  border.graph =
+      build_neighbor_graph(border.points, parameters.number_of_neighbors, control.parallel,
+                           parameters.extra_neighbors == Extra_neighbors::FACES_AND_LINES);
   if (shape.is_smoothed) denoise_points(border.graph, border.points);
   control.check();
   for (const Index i : chosen) border.labels.push_back(labels[i]);
@@ -159,7 +160,8 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
     control.check();
   }
   if (!near_border.empty())
-    move_borders_among(shape, near_border, fine, parameters.extra_neighbors, control, result);
+    move_borders_among(shape, near_border, fine,
+                       parameters.extra_neighbors != Extra_neighbors::NONE, control, result);
   return result;
 }
 
