@@ -21,12 +21,16 @@ from scores import METHODS, METRICS, mean
 
 # published values of methods that the paper compares with
 COMPARED = ("randomized cuts (told)", "shape diameter")
+# with its own number of parts, and with that of a preset
+CLUSTERING, TOLD = "lines_of_sight", {"paper": "lines_of_sight_told_paper", "default": "lines_of_sight_told"}
 # neither ours nor a method to segment with
 NOT_OTHERS = ("people", "default", "paper", "fitted", "components", "patches", "one_segment")
 
 
-def others(scores):
-    return [m for m in scores.methods if m not in NOT_OTHERS and not scores.is_skipped(m)]
+def others(scores, preset):
+    """What a preset is compared with; of the clusterings that are told a number, the one told its own."""
+    left_out = {*NOT_OTHERS, *(told for p, told in TOLD.items() if p != preset)}
+    return [m for m in scores.methods if m not in left_out and not scores.is_skipped(m)]
 
 
 class Drawn_models:
@@ -70,6 +74,7 @@ def meshes_section(scores, drawn):
     chosen = first_models(scores)
     body = []
     for model in chosen:
+        figures = []
         for method, picture in drawn(model["model"], ["person", *PRESETS]).items():
             caption = (
                 f"{model['model']} {model['category']}: a person (people {score(model, 'people'):.3f})"
@@ -77,7 +82,8 @@ def meshes_section(scores, drawn):
                 else f"{method}: {score(model, method, 'segments'):.0f} segments, "
                 f"1 - RI <b>{score(model, method):.3f}</b>"
             )
-            body.append(pictures.figure(picture, caption, 210))
+            figures.append(pictures.figure(picture, caption, 220))
+        body.append(pictures.tied(figures))
     people = mean(score(m, "people") for m in chosen)
     verdicts, numbers = [], {"people": people, "models": [m["model"] for m in chosen]}
     for preset in PRESETS:
@@ -93,7 +99,7 @@ def meshes_section(scores, drawn):
         [
             "<p>The first mesh of each category of the benchmark: one person's parts, then the segments, in the colors "
             "of the parts that they match.</p>",
-            '<div class="triples">' + pictures.row(body) + "</div>",
+            pictures.row(body),
         ],
         numbers,
     )
@@ -103,7 +109,7 @@ def excess_by_metric(scores, preset):
     """How far a preset is above the best of the others, measured or published."""
     excess = {}
     for metric in METRICS:
-        values = [scores.overall(m, metric) for m in others(scores)]
+        values = [scores.overall(m, metric) for m in others(scores, preset)]
         values += [published.SCORES[name][metric] for name in COMPARED]
         excess[metric] = scores.overall(preset, metric) - min(v for v in values if not math.isnan(v))
     return excess
@@ -137,14 +143,14 @@ def metrics_section(scores):
 
 
 def ranks_section(scores):
-    beside = {preset: [preset, *others(scores)] for preset in PRESETS}
+    beside = {preset: [preset, *others(scores, preset)] for preset in PRESETS}
     ranks = {
         preset: {c: scores.ranks(c, beside[preset]) for c in [*scores.categories, "Overall"]} for preset in PRESETS
     }
     verdicts, numbers = [], {}
     for preset in PRESETS:
         firsts = {m: sum(ranks[preset][c][m] == 1 for c in scores.categories) for m in beside[preset]}
-        overall, most = ranks[preset]["Overall"][preset], max(firsts[m] for m in others(scores))
+        overall, most = ranks[preset]["Overall"][preset], max(firsts[m] for m in others(scores, preset))
         figures = (
             f"rank {overall} of {len(beside[preset])} overall, rank 1 in {firsts[preset]} of {len(scores.categories)} "
             f"categories (another method: in {most} at most)"
@@ -164,43 +170,43 @@ def ranks_section(scores):
         verdicts,
         [
             "<p>Each preset among the other methods that are measured here (not those that the paper has), the other "
-            "presets left out; in the last column the paper's own rank among its methods.</p>",
+            "presets left out; in the last column the paper's own rank among its methods. The clustering that is told "
+            "a number of parts gets that of the preset that it stands beside.</p>",
             table(header, rows, [len(header) - 1], total=True),
         ],
         numbers,
     )
 
 
-CLUSTERINGS = ("lines_of_sight", "lines_of_sight_told")
-
-
 def convexity_section(scores, drawn):
     def overall(method, name="convexity_rank"):
         return scores.overall(method, name)
 
-    methods = [*PRESETS, *CLUSTERINGS]
+    methods = [*PRESETS, CLUSTERING, *TOLD.values()]
     ranks = {m: overall(m) for m in methods}
     verdicts = []
     for preset in PRESETS:
-        pairs = [(score(m, preset, "convexity_rank"), score(m, CLUSTERINGS[0], "convexity_rank")) for m in scores.models]
+        told = TOLD[preset]
+        pairs = [(score(m, preset, "convexity_rank"), score(m, CLUSTERING, "convexity_rank")) for m in scores.models]
         share = mean(float(ours > theirs) for ours, theirs in pairs)
         figures = (
             f"mean rank {ranks[preset]:.3f} with {overall(preset, 'segments'):.1f} segments, the clustering "
-            f"{ranks[CLUSTERINGS[0]]:.3f} with {overall(CLUSTERINGS[0], 'segments'):.1f} parts and "
-            f"{ranks[CLUSTERINGS[1]]:.3f} with {overall(CLUSTERINGS[1], 'segments'):.1f}; higher than the former on "
-            f"{share:.0%} of the meshes"
+            f"{ranks[CLUSTERING]:.3f} with its {overall(CLUSTERING, 'segments'):.1f} parts (lower on {share:.0%} of the "
+            f"meshes) and {ranks[told]:.3f} with as many parts as the preset"
         )
         verdicts.append(
-            Verdict(preset, figures, claims.convexity(ranks[preset], [ranks[c] for c in CLUSTERINGS], share))
+            Verdict(preset, figures, claims.convexity(ranks[preset], [ranks[c] for c in (CLUSTERING, told)], share))
         )
     body = []
-    for model in [m for m in first_models(scores) if m["category"] in ("Human", "Ant", "Octopus", "Bird", "Fourleg")]:
-        for method, picture in drawn(model["model"], [CLUSTERINGS[0], *PRESETS]).items():
+    for model in [m for m in first_models(scores) if m["category"] in ("Human", "Ant", "Octopus", "Bird", "Bust", "Fourleg")]:
+        figures = []
+        for method, picture in drawn(model["model"], [CLUSTERING, *PRESETS]).items():
             caption = (
                 f"{model['model']}, {METHODS[method]}: rank <b>{score(model, method, 'convexity_rank'):.3f}</b>, "
                 f"{score(model, method, 'segments'):.0f} parts"
             )
-            body.append(pictures.figure(picture, caption, 210))
+            figures.append(pictures.figure(picture, caption, 220))
+        body.append(pictures.tied(figures))
     rows = [
         [c, *(f"{number(scores.of_category(m, 'convexity_rank', c))} ({number(scores.of_category(m, 'segments', c), 1)})"
               for m in methods)]
@@ -216,7 +222,7 @@ def convexity_section(scores, drawn):
             "<p>The clustering is our own, in the style of that paper. Convexity ranks are the means over the parts, "
             "weighted by size, by the same lines of sight for all; in brackets the number of parts, as more parts are "
             "more convex by themselves.</p>",
-            '<div class="triples">' + pictures.row(body) + "</div>",
+            pictures.row(body),
             table(["category", *(METHODS[m] for m in methods)], rows),
         ],
         {"convexity_rank": ranks},

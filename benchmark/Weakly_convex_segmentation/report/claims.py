@@ -124,7 +124,7 @@ def ranks(overall, firsts, most_firsts_of_others):
 
 CONVEXITY_CRITERION = (
     "The mean convexity rank (equation 1) of the segments is above that of the clustering's parts, with the number "
-    "of parts that it finds and with the number that our default finds, and above the former on at least three "
+    "of parts that it finds and with the number that the preset finds, and above the former on at least three "
     "quarters of the meshes. Partly: the mean is above one of them."
 )
 

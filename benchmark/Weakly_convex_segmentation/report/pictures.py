@@ -20,7 +20,7 @@ import drawing  # noqa: E402
 import panels  # noqa: E402
 import plot_scans  # noqa: E402, F401
 
-SIZE = (260, 210)
+SIZE = (234, 190)
 
 
 def jpeg(picture):
@@ -36,6 +36,11 @@ def figure(picture, caption, width=None):
         f'<figure style="width: {width}px"><img loading="lazy" style="width: {width}px" '
         f'src="{jpeg(picture)}"><figcaption>{caption}</figcaption></figure>'
     )
+
+
+def tied(figures):
+    """Pictures that stay together in a line."""
+    return f'<div class="tied">{"".join(figures)}</div>'
 
 
 def row(figures, title=""):
@@ -54,10 +59,9 @@ def camera_along(side):
     return types.SimpleNamespace(axes=np.array([right, up, -np.asarray(forward)]))
 
 
-def splats(points, normals):
-    """Points as squares, large enough to cover the surface between them as far as the scanner's pixels do."""
-    extent = np.linalg.norm(np.ptp(points, axis=0))
-    return drawing.Splats(points, normals, extent * min(0.006, 0.36 / np.sqrt(len(points))))
+def splats(points, normals, radius=0.005):
+    """Points as squares that cover the surface between the scanner's pixels; the radius is a share of the extent."""
+    return drawing.Splats(points, normals, radius * np.linalg.norm(np.ptp(points, axis=0)))
 
 
 def of_cloud(surface, labels, camera, size=SIZE):
@@ -81,14 +85,15 @@ def of_points(points, camera, size=SIZE):
 
 
 def of_lines(trace, mesh, camera, size=SIZE, by_component=True):
-    """Free lines of sight: gray, or in the color of the component that they stay in."""
+    """Free lines of sight: all alike, or those within a component in its color and the others gray."""
     faces, labels = np.array(trace["lines"]["faces"]), np.array(trace["labels"]["components"])
     seen = np.array([[c == "1" for c in line] for line in trace["lines"]["seen"]])
     first, second = np.nonzero(np.tril(seen, -1))
     spots, of = mesh.centers[faces], labels[faces]
     within = (of[first] == of[second]) & by_component
     view = panels.glass(mesh, camera, size)
-    view.lines(spots[first[~within]], spots[second[~within]], (150, 150, 150), 0.16, 0.6)
+    color, opacity = ((150, 150, 150), 0.16) if by_component else ((0x2B, 0x6F, 0xB5), 0.3)
+    view.lines(spots[first[~within]], spots[second[~within]], color, opacity, 0.6)
     colors = drawing.label_colors(mesh, labels)
     for c in np.unique(of[first[within]]):
         chosen = within & (of[first] == c)

@@ -12,8 +12,8 @@ from make_report import STYLE
 
 OWN_STYLE = """
 p, li { max-width: 62em; } h4 { margin: 0.7em 0 0.3em 0; }
-.grid figure, .grid img { width: auto; max-width: 100%; }
-.triples .grid { max-width: 880px; }
+.grid figure, .grid img { width: auto; }
+.tied { display: flex; gap: 4px; margin-right: 6px; }
 table.verdicts td, table.verdicts th { text-align: left; vertical-align: top; }
 td.yes { background: #d9efd5; } td.partly { background: #fbf0c4; } td.no { background: #f6d4d0; }
 """

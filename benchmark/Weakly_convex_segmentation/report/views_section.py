@@ -56,7 +56,8 @@ def progression(out, data, model, errors):
     """For each preset the clouds of one model, and the complete mesh; all from the side of the only view."""
     paths = [out / "clouds" / f"{model}_{condition(v, False).replace(' ', '_')}.xyz" for v in VIEWS]
     mesh = Mesh(*read_off(data / "off" / f"{model}.off"))
-    camera = pictures.camera_along(side_of(read_cloud(paths[0], 0)[1]))
+    longest = np.eye(3)[np.ptp(mesh.points, axis=0).argmax()]
+    camera = pictures.camera_along(side_of(read_cloud(paths[0], 0)[1], longest))
     surfaces = [pictures.splats(*read_cloud(path, 0)[:2]) for path in paths]
     rows = []
     for index, preset in enumerate(PRESETS):
