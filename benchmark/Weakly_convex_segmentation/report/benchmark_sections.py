@@ -23,6 +23,7 @@ from scores import METHODS, METRICS, mean
 COMPARED = ("randomized cuts (told)", "shape diameter")
 # with its own number of parts, and with that of a preset
 CLUSTERING, TOLD = "lines_of_sight", {"paper": "lines_of_sight_told_paper", "default": "lines_of_sight_told"}
+CONVEXITY_SHOWN = ("Human", "Ant", "Octopus", "Bird", "Bust", "Fourleg")
 # neither ours nor a method to segment with
 NOT_OTHERS = ("people", "default", "paper", "fitted", "components", "patches", "one_segment")
 
@@ -178,27 +179,21 @@ def ranks_section(scores):
     )
 
 
-def convexity_section(scores, drawn):
-    def overall(method, name="convexity_rank"):
-        return scores.overall(method, name)
+def convexity_verdict(scores, preset):
+    told, ranks = TOLD[preset], {m: scores.overall(m, "convexity_rank") for m in (preset, CLUSTERING, TOLD[preset])}
+    pairs = [(score(m, preset, "convexity_rank"), score(m, CLUSTERING, "convexity_rank")) for m in scores.models]
+    share = mean(float(ours > theirs) for ours, theirs in pairs)
+    figures = (
+        f"mean rank {ranks[preset]:.3f} with {scores.overall(preset, 'segments'):.1f} segments, the clustering "
+        f"{ranks[CLUSTERING]:.3f} with its {scores.overall(CLUSTERING, 'segments'):.1f} parts (lower on {share:.0%} of the "
+        f"meshes) and {ranks[told]:.3f} with as many parts as the preset"
+    )
+    return Verdict(preset, figures, claims.convexity(ranks[preset], [ranks[CLUSTERING], ranks[told]], share))
 
-    methods = [*PRESETS, CLUSTERING, *TOLD.values()]
-    ranks = {m: overall(m) for m in methods}
-    verdicts = []
-    for preset in PRESETS:
-        told = TOLD[preset]
-        pairs = [(score(m, preset, "convexity_rank"), score(m, CLUSTERING, "convexity_rank")) for m in scores.models]
-        share = mean(float(ours > theirs) for ours, theirs in pairs)
-        figures = (
-            f"mean rank {ranks[preset]:.3f} with {overall(preset, 'segments'):.1f} segments, the clustering "
-            f"{ranks[CLUSTERING]:.3f} with its {overall(CLUSTERING, 'segments'):.1f} parts (lower on {share:.0%} of the "
-            f"meshes) and {ranks[told]:.3f} with as many parts as the preset"
-        )
-        verdicts.append(
-            Verdict(preset, figures, claims.convexity(ranks[preset], [ranks[c] for c in (CLUSTERING, told)], share))
-        )
+
+def convexity_pictures(scores, drawn):
     body = []
-    for model in [m for m in first_models(scores) if m["category"] in ("Human", "Ant", "Octopus", "Bird", "Bust", "Fourleg")]:
+    for model in [m for m in first_models(scores) if m["category"] in CONVEXITY_SHOWN]:
         figures = []
         for method, picture in drawn(model["model"], [CLUSTERING, *PRESETS]).items():
             caption = (
@@ -207,25 +202,34 @@ def convexity_section(scores, drawn):
             )
             figures.append(pictures.figure(picture, caption, 220))
         body.append(pictures.tied(figures))
-    rows = [
-        [c, *(f"{number(scores.of_category(m, 'convexity_rank', c))} ({number(scores.of_category(m, 'segments', c), 1)})"
-              for m in methods)]
-        for c in scores.categories
-    ]
+    return pictures.row(body)
+
+
+def convexity_table(scores):
+    """Mean ranks and, in brackets, numbers of parts."""
+    methods = [m for m in (*PRESETS, CLUSTERING, *TOLD.values()) if m in scores.methods]
+    rows = []
+    for c in scores.categories:
+        means = [[scores.of_category(m, name, c) for name in ("convexity_rank", "segments")] for m in methods]
+        rows.append([c, *(f"{number(rank)} ({number(count, 1)})" for rank, count in means)])
+    return table(["category", *(METHODS[m] for m in methods)], rows)
+
+
+def convexity_section(scores, drawn):
     return Section(
         "Figure 9",
         "Against the clustering of lines of sight (Asafi et al. 2013)",
         "The segments have a higher convexity rank than the parts of that method, and better borders.",
         claims.CONVEXITY_CRITERION,
-        verdicts,
+        [convexity_verdict(scores, preset) for preset in PRESETS],
         [
             "<p>The clustering is our own, in the style of that paper. Convexity ranks are the means over the parts, "
             "weighted by size, by the same lines of sight for all; in brackets the number of parts, as more parts are "
-            "more convex by themselves.</p>",
-            pictures.row(body),
-            table(["category", *(METHODS[m] for m in methods)], rows),
+            "more convex by themselves. Borders are not scored.</p>",
+            convexity_pictures(scores, drawn),
+            convexity_table(scores),
         ],
-        {"convexity_rank": ranks},
+        {m: scores.overall(m, "convexity_rank") for m in (*PRESETS, CLUSTERING, *TOLD.values())},
     )
 
 

@@ -98,9 +98,7 @@ def as_json(sections, settings):
 
 def cell(text):
     """Text that is safe in a cell of a Markdown table that Doxygen reads."""
-    for sign in "\\%@#|<>":
-        text = text.replace(sign, "&#%d;" % ord(sign))
-    return text
+    return "".join("\\" + sign if sign in "\\%@#|<>" else sign for sign in text)
 
 
 def fragment(sections, settings):
@@ -113,7 +111,7 @@ def fragment(sections, settings):
     ]
     for s in sections:
         shown = "<br>".join(f"`{v.preset}`: {cell(v.figures)}." for v in s.verdicts)
-        holds = "<br>".join(f"`{v.preset}`: {v.holds}" for v in s.verdicts)
+        holds = ", ".join(f"`{v.preset}`: {v.holds}" for v in s.verdicts)
         lines.append(f"| {cell(s.figure)}: {cell(s.title)} | {cell(s.paper)} | {shown} | {holds} |")
     return "\n".join(lines) + "\n"
 
