@@ -10,6 +10,7 @@ import pictures
 from claims import PRESETS, Section, Verdict
 from drawing import Camera, Mesh, label_colors
 from labelings import matched, pieces, purity, rand_error, share_found
+from plot_scans import side_of
 from scores import mean
 
 SHAPE = "octopus"  # as the vase of Figure 3: bent limbs, each of several weakly convex pieces
@@ -202,13 +203,14 @@ def limit_figures(made, preset):
             labels = matched(trace["labels"][level], truth)
             caption = f"{shape}: {len(np.unique(labels))} {level}"
             figures.append(pictures.figure(pictures.of_mesh(mesh, labels, camera), caption))
-    cloud = made.one_view("chair")
+    cloud = made.one_view("chair", 1)
     labels = matched(made.segments(cloud, preset), cloud.truth)
     surface = pictures.splats(cloud.points, cloud.normals)
     caption = (
         f"chair, one view: {len(np.unique(labels))} segments, 1 - RI {rand_error(labels, cloud.truth):.3f}"
     )
-    figures.append(pictures.figure(pictures.of_cloud(surface, labels, Camera(35, 25)), caption))
+    camera = pictures.camera_along(side_of(cloud.normals, (0.0, 0.0, 1.0)))
+    figures.append(pictures.figure(pictures.of_cloud(surface, labels, camera), caption))
     return pictures.row(figures, f"preset {preset}")
 
 

@@ -39,9 +39,9 @@ class Made_shapes:
         """A scan of make_scans."""
         return Cloud(self._make(self.folder / f"{name}.ply", "make_scans", self.folder, name))
 
-    def one_view(self, shape, seed=0):
+    def one_view(self, shape, seed):
         """What a camera sees of a shape from one side."""
-        path = self.folder / f"{shape}_one_view.ply"
+        path = self.folder / f"{shape}_one_view_{seed}.ply"
         options = ["--shape", shape, "--views", "1", "--seed", seed, "-o", path]
         return Cloud(self._make(path, "scan_shape", *options))
 
