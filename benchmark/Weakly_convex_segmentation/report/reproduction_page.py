@@ -104,7 +104,7 @@ def cell(text):
 def fragment(sections, settings):
     """A table for the manual, as Doxygen reads it."""
     lines = [
-        f"Made by `scripts/reproduce_paper`: {cell(settings.get('extent', ''))}.",
+        f"Made by `scripts/reproduce_paper` ({cell(settings.get('extent', ''))}), whose page has the criteria and pictures:",
         "",
         "| in the paper | what the paper shows | what we show | does it hold |",
         "|---|---|---|---|",
