@@ -33,3 +33,39 @@ our_sources()
   find include tools examples test benchmark cmake \( -name '*.h' -o -name '*.cpp' \) -not -path '*/build*' |
     sort
 }
+
+# The Python to run: PYTHON, or the first that has these modules (a list for import); says so if there is none.
+python_with()
+{
+  local candidate
+  for candidate in ${PYTHON:+"$PYTHON"} python3 /usr/bin/python3; do
+    if "$candidate" -c "import $1" 2>/dev/null; then
+      echo "$candidate"
+      return 0
+    fi
+  done
+  echo "${0##*/}: matplotlib is missing; run scripts/setup.sh report" >&2
+  return 1
+}
+
+# Ends the script unless the folder holds the benchmark.
+check_benchmark_folder()
+{
+  if [[ ! -d $1/off || ! -d $1/seg ]]; then
+    echo "${0##*/}: $1 does not hold off/ and seg/; give the folder of the benchmark" >&2
+    exit 1
+  fi
+}
+
+# Builds programs, and the one that takes PCL where PCL is installed.
+build_with_pcl()
+{
+  local targets=("$@")
+  cmake -S . -B "$build_dir"
+  if [[ $(cmake --build "$build_dir" --target help) == *segment_by_pcl* ]]; then
+    targets+=(segment_by_pcl)
+  else
+    echo "PCL (Debian: libpcl-dev) is not installed: its methods are skipped." >&2
+  fi
+  cmake --build "$build_dir" --target "${targets[@]}" -j "$(number_of_jobs)"
+}

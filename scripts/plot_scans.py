@@ -108,11 +108,13 @@ def read_labeled(path):
     return table[:, :3], table[:, 3:6], table[:, 7].astype(int)
 
 
-def side_of(normals):
+def side_of(normals, upwards=(0.0, 1.0, 0.0)):
     """Axes of a picture from where the only camera of a cloud of one view was."""
     forward = -normals.mean(axis=0)
     forward /= np.linalg.norm(forward)
-    helper = np.array([0.0, 1.0, 0.0]) if abs(forward[1]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    helper = np.array(upwards)
+    if abs(forward @ helper) >= 0.9:
+        helper = np.roll(helper, 1)
     right = np.cross(forward, helper)
     right /= np.linalg.norm(right)
     return right, np.cross(right, forward), forward

@@ -8,8 +8,8 @@
 #                                  without any: build test
 #
 # build: compiler and libraries; picture: the viewer of scripts/demo; test: what scripts/test needs
-# besides; doc: the tool that makes the manual; report: what scripts/report and
-# scripts/scan_report draw with; pcl: a library whose methods the benchmark compares with (large);
+# besides; doc: the tool that makes the manual; report: what scripts/report, scripts/scan_report and
+# scripts/reproduce_paper draw with; pcl: a library whose methods the benchmark compares with (large);
 # view: npm, with which the page of segment_shape --view is made, and a browser that tests it.
 
 set -euo pipefail

@@ -47,7 +47,7 @@ struct Options
   std::vector<int> models;
   std::vector<Method> methods;
   std::vector<std::string> settings; ///< NAME=VALUE
-  std::string only;
+  std::string only, without;
   bool resume = false;
   std::size_t jobs = 1;
 };
@@ -73,9 +73,9 @@ std::vector<int> of_seen_points(const SC::Scan& scan, const std::vector<int>& of
   return labels;
 }
 
-/// for pictures: position, normal, face and label of each point
-void write_cloud(const SC::Scan& scan, const std::vector<int>& labels, const int model,
-                 const std::string& name, const std::filesystem::path& folder)
+/// for pictures: position, normal and face of each point, and its label by each method
+void write_cloud(const SC::Scan& scan, const std::vector<std::vector<int>>& labelings,
+                 const int model, const std::string& name, const std::filesystem::path& folder)
 {
   std::string file = std::to_string(model) + "_" + name + ".xyz";
   for (char& c : file) c = c == ' ' || c == ',' || c == '%' ? '_' : c;
@@ -86,7 +86,9 @@ void write_cloud(const SC::Scan& scan, const std::vector<int>& labels, const int
   {
     for (const double x : scan.points[i]) out << x << ' ';
     for (const double x : scan.normals[i]) out << x << ' ';
-    out << scan.faces[i] << ' ' << labels[i] << '\n';
+    out << scan.faces[i];
+    for (const std::vector<int>& labels : labelings) out << ' ' << labels[i];
+    out << '\n';
   }
   if (!out.flush()) throw std::runtime_error("can't write " + path.string());
 }
@@ -140,7 +142,11 @@ private:
   std::vector<Row> m_rows;
 };
 
-bool has_complete_labels(const Method& m) { return m.name == "default" || m.name == "fitted"; }
+bool is_wanted(const SC::Condition& condition, const Options& options)
+{
+  return condition.name.find(options.only) != std::string::npos &&
+         (options.without.empty() || condition.name.find(options.without) == std::string::npos);
+}
 
 /// scores all methods on all clouds of a model.
 std::vector<Row> run_model(const int number, const Options& options)
@@ -148,24 +154,23 @@ std::vector<Row> run_model(const int number, const Options& options)
   const SM::Benchmark_model model = SM::read_benchmark_model(options.data, number);
   std::map<std::string, std::vector<int>> complete; // labels of the faces
   for (const Method& method : options.methods)
-    if (has_complete_labels(method))
+    if (Scan_methods::is_ours(method))
       complete[method.name] = segment_mesh(model.mesh, parameters_of(method, options));
   std::vector<Row> rows;
   for (const SC::Condition& condition : SC::all_conditions())
   {
-    if (condition.name.find(options.only) == std::string::npos) continue;
+    if (!is_wanted(condition, options)) continue;
     Cloud_scores scores(model, condition);
-    std::vector<int> drawn = scores.one_segment();
+    std::vector<std::vector<int>> labelings;
     for (const Method& method : options.methods)
     {
-      const std::vector<int> labels = scores.run(method, options);
-      if (&method == &options.methods.front()) drawn = labels;
-      if (has_complete_labels(method))
+      labelings.push_back(scores.run(method, options));
+      if (Scan_methods::is_ours(method))
         scores.add(method.name + ", complete mesh",
                    of_seen_points(scores.scan(), complete[method.name]), 0.);
     }
     if (!options.clouds.empty())
-      write_cloud(scores.scan(), drawn, number, condition.name, options.clouds);
+      write_cloud(scores.scan(), labelings, number, condition.name, options.clouds);
     rows.insert(rows.end(), scores.rows().begin(), scores.rows().end());
   }
   return rows;
@@ -291,9 +296,10 @@ po::options_description visible_options(Options& options, std::vector<std::strin
       "of default, fitted, paper, sdf, lccp, cpc; the last three may have settings: "
       "sdf@CLUSTERS/SMOOTHING/CELL, lccp@VOXEL/SEED/TOLERANCE/SMOOTHNESS/K, cpc@ likewise")(
       "only", po::value(&options.only), "only clouds whose name has this in it, as '2 views'")(
+      "without", po::value(&options.without), "no clouds whose name has this in it, as 'noise'")(
       "csv", po::value(&paths[1]), "write a row a model, cloud and method")(
       "resume", po::bool_switch(&options.resume), "leave out the models that are in the csv")(
-      "clouds", po::value(&paths[2]), "write the clouds with the first method's labels here")(
+      "clouds", po::value(&paths[2]), "write the clouds with the labels of each method here")(
       "set", po::value(&options.settings)->composing(),
       "NAME=VALUE of a parameter of our presets; may be repeated")(
       "jobs", po::value(&options.jobs)->default_value(1), "models at once, each single-threaded");

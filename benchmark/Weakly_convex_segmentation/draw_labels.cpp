@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Draws a shape with its labels, in milliseconds: draw_labels SHAPE LABELS PICTURE.ppm
+//
+// More pairs LABELS PICTURE.ppm may follow: all are seen from the side that shows most of the first, and what
+// covers most of one of its parts has the color of that part.
 
 #include "report/draw_parts.h"
 
@@ -12,8 +15,11 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -34,25 +40,97 @@ std::vector<int> read_labels(const std::string& path, const std::size_t number_o
   return labels;
 }
 
-/// the scene, with polygons cut into triangles; `labels` become those of the triangles
-Draw_parts::Scene make_scene(const Shape_io::Shape& shape, std::vector<int>& labels)
+/// the scene, with polygons cut into triangles
+Draw_parts::Scene make_scene(const Shape_io::Shape& shape)
 {
   Draw_parts::Scene scene;
   for (const auto& p : shape.points) scene.points.push_back({p.x(), p.y(), p.z()});
   if (!shape.is_mesh())
     for (const auto& v : shape.normals) scene.normals.push_back({v.x(), v.y(), v.z()});
+  for (const auto& polygon : shape.polygons)
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      scene.faces.push_back({polygon[0], polygon[i - 1], polygon[i]});
+  return scene;
+}
+
+/// labels of points, or of the triangles that polygons were cut into
+std::vector<int> of_scene(const Shape_io::Shape& shape, const std::vector<int>& labels)
+{
+  if (!shape.is_mesh()) return labels;
   std::vector<int> of_triangles;
   for (std::size_t f = 0; f < shape.polygons.size(); ++f)
+    for (std::size_t i = 2; i < shape.polygons[f].size(); ++i) of_triangles.push_back(labels[f]);
+  return of_triangles;
+}
+
+std::size_t number_of(const std::vector<int>& labels)
+{
+  return labels.empty()
+             ? 0
+             : static_cast<std::size_t>(*std::max_element(labels.begin(), labels.end())) + 1;
+}
+
+std::vector<Shape_io::Color> own_colors(const Shape_io::Shape& shape,
+                                        const std::vector<int>& labels)
+{
+  return Shape_io::part_colors(Shape_io::part_neighbors(shape, labels, number_of(labels)));
+}
+
+/// the colors of other labels, for those that have most in common with them, each once; the rest get others
+std::vector<Shape_io::Color> matched_colors(const std::vector<int>& labels,
+                                            const std::vector<int>& others,
+                                            const std::vector<Shape_io::Color>& colors_of_others)
+{
+  std::map<std::pair<int, int>, long> overlaps;
+  for (std::size_t i = 0; i < labels.size(); ++i) ++overlaps[{labels[i], others[i]}];
+  std::vector<std::pair<long, std::pair<int, int>>> order;
+  for (const auto& [pair, count] : overlaps) order.push_back({-count, pair});
+  std::sort(order.begin(), order.end());
+  std::vector<Shape_io::Color> colors(number_of(labels));
+  std::set<int> given, taken;
+  for (const auto& entry : order)
   {
-    const auto& polygon = shape.polygons[f];
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-    {
-      scene.faces.push_back({polygon[0], polygon[i - 1], polygon[i]});
-      of_triangles.push_back(labels[f]);
-    }
+    const auto [label, other] = entry.second;
+    if (given.count(label) > 0 || taken.count(other) > 0) continue;
+    colors[static_cast<std::size_t>(label)] = colors_of_others[static_cast<std::size_t>(other)];
+    given.insert(label);
+    taken.insert(other);
   }
-  if (shape.is_mesh()) labels = of_triangles;
-  return scene;
+  std::size_t next = 0;
+  const std::set<Shape_io::Color> used(colors.begin(), colors.end());
+  for (std::size_t l = 0; l < colors.size(); ++l)
+  {
+    if (given.count(static_cast<int>(l)) > 0) continue;
+    const auto at = [](const std::size_t i)
+    { return Shape_io::internal::palette[i % Shape_io::internal::palette_size]; };
+    for (std::size_t tried = 0;
+         tried < Shape_io::internal::palette_size && used.count(at(next)) > 0; ++tried)
+      ++next;
+    colors[l] = at(next++);
+  }
+  return colors;
+}
+
+/// draws pairs of labels and a picture to make
+void draw(const Shape_io::Shape& shape, const std::vector<std::string>& pairs)
+{
+  const Draw_parts::Scene scene = make_scene(shape);
+  Draw_parts::View view;
+  std::vector<int> first;
+  std::vector<Shape_io::Color> first_colors;
+  for (std::size_t i = 0; i < pairs.size(); i += 2)
+  {
+    const std::vector<int> labels = read_labels(pairs[i], shape.number_of_elements());
+    const std::vector<int> shown = of_scene(shape, labels);
+    if (i == 0)
+    {
+      first = labels;
+      first_colors = own_colors(shape, labels);
+      view = Draw_parts::look(scene, Draw_parts::best_camera(scene, shown), 440);
+    }
+    const auto colors = i == 0 ? first_colors : matched_colors(labels, first, first_colors);
+    Draw_parts::write_picture(view, shown, colors, pairs[i + 1]);
+  }
 }
 
 } // namespace
@@ -61,15 +139,9 @@ int main(int argc, char** argv)
 {
   try
   {
-    if (argc != 4) throw std::invalid_argument("give a shape, its labels, and the picture to make");
-    const Shape_io::Shape shape = Shape_io::read_shape(argv[1]);
-    std::vector<int> labels = read_labels(argv[2], shape.number_of_elements());
-    std::size_t count = 0;
-    for (const int l : labels) count = (std::max)(count, static_cast<std::size_t>(l) + 1);
-    const auto colors = Shape_io::part_colors(Shape_io::part_neighbors(shape, labels, count));
-    const Draw_parts::Scene scene = make_scene(shape, labels);
-    Draw_parts::write_picture(Draw_parts::look(scene, Draw_parts::best_camera(scene, labels), 440),
-                              labels, colors, argv[3]);
+    if (argc < 4 || argc % 2 != 0)
+      throw std::invalid_argument("give a shape, and labels and the picture to make, once or more");
+    draw(Shape_io::read_shape(argv[1]), {argv + 2, argv + argc});
     return 0;
   }
   catch (const std::exception& error)

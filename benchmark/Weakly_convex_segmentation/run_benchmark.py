@@ -236,6 +236,8 @@ def score_jobs(options):
         outcome = folder / f"{model}{methods}.json"
         command = [program, options.input, str(model), "--json", outcome]
         command += ["--pictures", options.out / "pictures"]
+        if options.labels:
+            command += ["--labels", options.out / "labels"]
         if options.methods:
             command += ["--methods", options.methods]
         programs = [program, options.bin / "segment_by_pcl"]
@@ -298,6 +300,7 @@ def read_options():
     parser.add_argument("--per-category", type=int, default=0, help="so many small models; 0: all")
     parser.add_argument("--models", help="only these of the benchmark, as 1,3,21")
     parser.add_argument("--methods", help="passed to benchmark_shape")
+    parser.add_argument("--labels", action="store_true", help="scores: keep the labels of all methods")
     parser.add_argument("--merging-only", action="store_true", help="sensitivity: no analysis anew")
     options = parser.parse_args()
     if len(options.folders) != (1 if options.kind == "merge" else 2):

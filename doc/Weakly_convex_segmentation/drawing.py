@@ -66,6 +66,25 @@ class Mesh:
         return np.array(pairs)
 
 
+class Splats(Mesh):
+    """Points as small squares on their tangent planes, two faces each; labels of points are doubled for it."""
+
+    def __init__(self, points, normals, radius):
+        points, normals = np.asarray(points, float), np.asarray(normals, float)
+        flat = np.abs(normals[:, 2:]) < 0.9
+        across = np.cross(normals, np.where(flat, [[0., 0., 1.]], [[1., 0., 0.]]))
+        across *= radius / np.linalg.norm(across, axis=1)[:, None]
+        along = np.cross(normals, across)
+        corners = [points + i * across + j * along for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        first = 4 * np.arange(len(points))
+        faces = np.stack([first, first + 1, first + 2, first, first + 2, first + 3], 1).reshape(-1, 3)
+        self.of_faces = np.repeat(normals, 2, axis=0)
+        super().__init__(np.stack(corners, 1).reshape(-1, 3), faces)
+
+    def _smoothed(self, normals):
+        return self.of_faces
+
+
 def label_colors(mesh, labels):
     """a colour a label, the large ones first, none like those of its neighbours"""
     labels = np.asarray(labels)

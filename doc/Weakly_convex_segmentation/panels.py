@@ -10,7 +10,7 @@ import matplotlib
 import numpy as np
 from PIL import Image, ImageDraw
 
-from drawing import PALETTE, Camera, Mesh, View, colors_like, font, grid, label_colors, titled
+from drawing import PALETTE, Camera, Splats, View, colors_like, font, grid, label_colors, titled
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -179,14 +179,7 @@ def scanned(programs, scratch, shape, number, camera, size):
                    check=True, stdout=subprocess.DEVNULL)
     subprocess.run([programs / "segment_shape", cloud, "--ascii", "--quiet", "-o", parts], check=True)
     points, normals, labels = read_cloud(parts)
-    # each point becomes a small square on its tangent plane
-    across = np.cross(normals, np.where(np.abs(normals[:, 2:]) < 0.9, [[0., 0., 1.]], [[1., 0., 0.]]))
-    across *= 0.0045 / np.linalg.norm(across, axis=1)[:, None]
-    along = np.cross(normals, across)
-    corners = np.stack([points + i * across + j * along for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))], 1)
-    first = 4 * np.arange(len(points))
-    faces = np.stack([first, first + 1, first + 2, first, first + 2, first + 3], 1).reshape(-1, 3)
-    mesh = Mesh(corners.reshape(-1, 3), faces)
+    mesh = Splats(points, normals, 0.0045)
     view = View(mesh, camera, size).paint(PALETTE[labels % len(PALETTE)].repeat(2, axis=0))
     return view.picture(), labels.max() + 1
 

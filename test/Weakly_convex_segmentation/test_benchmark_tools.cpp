@@ -280,10 +280,61 @@ BOOST_AUTO_TEST_CASE(scans_are_scored_by_all_methods_and_what_is_measured_is_kep
              0);
   BOOST_TEST(rows(folder.read("sdf.csv"), "sdf") == 4u);
 
+  // some of the clouds, with a column of labels for each method
+  BOOST_TEST(exit_code(folder, program("benchmark_scans") +
+                                   " data --ids 1 --only '1 view' --without noise --clouds clouds"
+                                   " --csv few.csv --methods paper,default") == 0);
+  BOOST_TEST(rows(folder.read("few.csv"), "paper") == 1u);
+  BOOST_TEST(rows(folder.read("few.csv"), "paper, complete mesh") == 1u);
+  std::istringstream cloud(folder.read("clouds/1_1_view.xyz"));
+  std::string line;
+  std::getline(cloud, line);
+  BOOST_TEST(std::count(line.begin(), line.end(), ' ') == 8);
+
   BOOST_TEST(exit_code(folder, run + " --methods magic") == 1);
   const std::string error = folder.read("err.txt");
   BOOST_TEST(error.find("magic") != std::string::npos);
   BOOST_TEST(std::count(error.begin(), error.end(), '\n') == 1);
+}
+
+BOOST_AUTO_TEST_CASE(made_scans_have_true_parts_and_no_background)
+{
+  const Scratch_folder folder;
+  BOOST_TEST(exit_code(folder, program("make_scans") + " made room airplane") == 0);
+  const auto rows = [&](const std::string& name)
+  {
+    std::istringstream in(folder.read("made/" + name + ".ply"));
+    for (std::string line; std::getline(in, line) && line != "end_header";)
+    {}
+    std::set<int> views, labels;
+    for (double x = 0.; in >> x;)
+    {
+      for (int i = 0; i < 5; ++i) in >> x; // the other coordinates, the normal
+      int view = 0, label = 0;
+      in >> view >> label;
+      views.insert(view);
+      labels.insert(label);
+    }
+    return std::pair(views, labels);
+  };
+  BOOST_TEST(rows("room").first == (std::set<int>{0, 1, 2}));
+  BOOST_TEST(rows("room").second == (std::set<int>{0, 1, 2, 3, 4, 5, 6, 7}));
+  BOOST_TEST(rows("airplane").first == std::set<int>{0});
+  BOOST_TEST(exit_code(folder, program("make_scans") + " made no_such_scan") == 1);
+  BOOST_TEST(exit_code(folder, program("make_scans")) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(labelings_of_a_shape_are_drawn_from_one_side)
+{
+  const Scratch_folder folder;
+  write_model(folder, 1, "dumbbell");
+  const std::string labels = " data/seg/Benchmark/1/1_";
+  const std::string run = program("draw_labels") + " data/off/1.off" + labels + "0.seg a.ppm";
+  BOOST_TEST(exit_code(folder, run + labels + "1.seg b.ppm" + labels + "0.seg c.ppm") == 0);
+  BOOST_TEST(folder.read("a.ppm") == folder.read("c.ppm"));
+  BOOST_TEST(folder.read("a.ppm") != folder.read("b.ppm"));
+  BOOST_TEST(folder.read("a.ppm").size() == folder.read("b.ppm").size());
+  BOOST_TEST(exit_code(folder, run + labels + "1.seg") == 1); // without a picture to make
 }
 
 BOOST_AUTO_TEST_CASE(the_stages_of_a_mesh_are_traced)

@@ -166,10 +166,11 @@ Bounding_sphere bounding_sphere(const Mesh& mesh)
 // Directions spread evenly over the sphere, turned at random by the seed.
 std::vector<Point> view_directions(std::size_t count, unsigned seed);
 
-// The points that a camera at `views` viewpoints around the mesh sees.
+// The points that a camera sees from viewpoints in these directions, of length one, from the mesh.
 // Throws std::invalid_argument for a mesh without faces or extent and for a camera that sees nothing.
 template <typename Mesh>
-Scan scan_mesh(const Mesh& mesh, const std::size_t views, const Camera& camera, const unsigned seed)
+Scan scan_mesh(const Mesh& mesh, const std::vector<Point>& directions, const Camera& camera,
+               const unsigned seed)
 {
   if (camera.resolution < 2 || camera.resolution > 10000)
     throw std::invalid_argument("Virtual_scanner: the resolution has to be from 2 to 10000 pixels");
@@ -185,13 +186,20 @@ Scan scan_mesh(const Mesh& mesh, const std::size_t views, const Camera& camera, 
   std::mt19937 random(seed);
   Scan scan;
   int view = 0;
-  for (const Point& direction : view_directions(views, seed))
+  for (const Point& direction : directions)
   {
     const Point eye = sphere.center + camera.distance * sphere.diameter * direction;
     internal::scan_from(mesh, internal::look_at(eye, sphere.center), view++, camera,
                         sphere.diameter, random, scan);
   }
   return scan;
+}
+
+// The same from `views` viewpoints all around the mesh.
+template <typename Mesh>
+Scan scan_mesh(const Mesh& mesh, const std::size_t views, const Camera& camera, const unsigned seed)
+{
+  return scan_mesh(mesh, view_directions(views, seed), camera, seed);
 }
 
 } // namespace Virtual_scanner

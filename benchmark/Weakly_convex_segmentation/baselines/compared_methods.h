@@ -44,7 +44,8 @@ struct Shape
   const Soup& soup;
   Surface_mesh mesh; ///< the faces in the same order; empty if they are no oriented manifold
   std::size_t number_of_parts = 0; ///< that the default found, for the methods that are given it
-  std::filesystem::path program_folder; ///< where segment_by_pcl may be
+  std::size_t number_of_parts_of_paper = 0; ///< likewise that of the preset `paper`
+  std::filesystem::path program_folder;     ///< where segment_by_pcl may be
 };
 
 inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -138,6 +139,15 @@ inline std::vector<Labeling> segment_by_lines_of_sight(const Shape& shape, const
   return {{name, std::move(labels), end - begin - unused}};
 }
 
+/// the same with the number of parts that a preset found
+inline std::vector<Labeling> segment_by_told_lines_of_sight(const Shape& shape,
+                                                            const std::string& name,
+                                                            const std::size_t number_of_parts)
+{
+  if (number_of_parts == 0) throw std::runtime_error("the preset, before it, failed");
+  return segment_by_lines_of_sight(shape, name, number_of_parts);
+}
+
 /// the faces turned so that they agree, for methods that need an oriented manifold
 inline Surface_mesh oriented_mesh(const Soup& soup)
 {
@@ -215,11 +225,15 @@ inline std::vector<Method> methods()
            {"lines_of_sight"}},
           {"lines_of_sight_told",
            [](const Shape& s)
-           {
-             if (s.number_of_parts == 0) throw std::runtime_error("the default, before it, failed");
-             return segment_by_lines_of_sight(s, "lines_of_sight_told", s.number_of_parts);
-           },
+           { return segment_by_told_lines_of_sight(s, "lines_of_sight_told", s.number_of_parts); },
            {"lines_of_sight_told"}},
+          {"lines_of_sight_told_paper",
+           [](const Shape& s)
+           {
+             return segment_by_told_lines_of_sight(s, "lines_of_sight_told_paper",
+                                                   s.number_of_parts_of_paper);
+           },
+           {"lines_of_sight_told_paper"}},
           {"sdf", segment_by_sdf, {"sdf", "sdf_tuned"}},
           {"cpc", [](const Shape& s) { return segment_by_pcl(s, "cpc"); }, {"cpc"}},
           {"lccp", [](const Shape& s) { return segment_by_pcl(s, "lccp"); }, {"lccp"}},

@@ -135,6 +135,7 @@ def sensitivity_chart(table, noise, title):
                 label = f"{step:+d} %" if row == 0 else None
                 axes.plot(changes[step], row, "o", color=color, label=label)
     axes.set_yticks(range(len(table)), [name for name, _ in table], fontsize=8)
+    axes.set_ylim(-0.6, len(table) - 0.4)
     axes.axvline(0, color="black", linewidth=0.5)
     axes.set_xlabel("change of 1 - Rand Index (to the right is worse)")
     axes.set_title(title, fontsize=10)

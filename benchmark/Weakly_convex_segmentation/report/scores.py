@@ -18,6 +18,7 @@ METHODS = {
     "patches": "patches alone",
     "lines_of_sight": "lines of sight",
     "lines_of_sight_told": "lines of sight, told our number",
+    "lines_of_sight_told_paper": "lines of sight, told paper's number",
     "sdf": "CGAL SDF",
     "sdf_tuned": "CGAL SDF, tuned",
     "cpc": "PCL CPC, tuned",
