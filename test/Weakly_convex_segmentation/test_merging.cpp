@@ -378,7 +378,7 @@ BOOST_AUTO_TEST_CASE(distances_are_relative_to_the_largest_one)
   };
   BOOST_CHECK_CLOSE(distance(0.9f), 1., 1e-9); // there is no other
   BOOST_CHECK_CLOSE(distance(0.5f), 0.2, 10.); // of .5
-  BOOST_CHECK_CLOSE(distance(0.f), 0.1, 10.); // a component without a diameter is as thin as can be
+  BOOST_CHECK_CLOSE(distance(0.f), 1., 1e-9);  // that one is flat
 }
 
 BOOST_AUTO_TEST_CASE(a_flat_component_joins_an_adequate_neighbor)
@@ -395,7 +395,7 @@ BOOST_AUTO_TEST_CASE(a_flat_component_joins_an_adequate_neighbor)
     Region_graph graph = shape.regions();
     return neighbor_of_flat_component(graph, 0, visibility);
   };
-  BOOST_CHECK_EQUAL(neighbor({-5., -5., -5., -5., 20.}, {-5., -5., 5.}),
+  BOOST_CHECK_EQUAL(neighbor({-5., -5., -5., -5., 20.}, {-5., -5., 0.}),
                     2);                                        // strictly convex first
   BOOST_CHECK_EQUAL(neighbor({-5., -5.}, {-5., -5., 0.}), 2);  // the longer one
   BOOST_CHECK_EQUAL(neighbor({-5., -5., 20.}, {-5., 20.}), 1); // the higher ratio
@@ -412,12 +412,12 @@ BOOST_AUTO_TEST_CASE(a_flat_component_joins_an_adequate_neighbor)
   Merge_tree tree(3);
   signatures.measure(graph, {{0, 0.f, {}, {}},
                              {1, 0.f, {}, {}},
-                             {2, 0.3f, {}, {}},
                              {4, 0.f, {}, {}},
-                             {5, 0.3f, {}, {}},
+                             {5, 0.f, {}, {}},
+                             {6, 0.3f, {}, {}},
                              {8, 0.7f, {}, {}}});
-  BOOST_CHECK(signatures.is_flat(graph.region(0)));  // most samples have no diameter
-  BOOST_CHECK(!signatures.is_flat(graph.region(1))); // half of them have
+  BOOST_CHECK(signatures.is_flat(graph.region(0)));
+  BOOST_CHECK(!signatures.is_flat(graph.region(1))); // one sample has a diameter
   merge_flat_components(graph, signatures, parameters, {tree, nullptr});
   BOOST_CHECK((graph.labels() == std::vector<int>{0, 0, 1}));
 }

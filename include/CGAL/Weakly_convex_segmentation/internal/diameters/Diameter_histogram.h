@@ -75,14 +75,6 @@ struct Diameter_histogram
 
   bool empty() const { return measured == 0.; }
 
-  /// returns the mean diameter; there must be one.
-  double mean(const Histogram_scale& scale) const
-  {
-    double sum = 0.;
-    for (std::size_t i = 0; i < scale.bins; ++i) sum += counts[i] * scale.center(i);
-    return sum / measured;
-  }
-
   /// returns the median diameter, 0 if there is none.
   double median(const Histogram_scale& scale) const
   {

@@ -18,7 +18,7 @@
 // convexity rank (equation 1) counts. With one bad pair of patches as a veto, `EVERY_PAIR`, components stay small.
 //
 // Where the paper is silent: histograms have 64 equal bins from 0 to the largest diameter of the shape, and max(D)
-// is over all pairs, adjacent or not. The manual's table of sentences has the measured
+// is over all pairs that are not flat, adjacent or not. The manual's table of sentences has the measured
 // alternatives.
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
@@ -98,12 +98,9 @@ public:
     find_largest_distance(graph);
   }
 
-  /// "The vast majority of points [...] marked as having no SDF value": most samples have nothing opposite to them.
-  /// Neighbors across a rim give hardly any component no diameter at all.
-  bool is_flat(const Region& region) const
-  {
-    return 2. * region.diameters.measured < region.diameters.samples || region.diameters.empty();
-  }
+  /// "any component with an empty histogram": nothing of it is opposite to any of its samples. Scans from one side
+  /// have many with few diameters, which those do tell apart.
+  bool is_flat(const Region& region) const { return region.diameters.empty(); }
 
   /// returns the distance of two signatures relative to the largest one, in [0, 1].
   double distance(const Region& a, const Region& b) const
@@ -121,26 +118,16 @@ private:
     return result;
   }
 
-  /// finds max(D). The matrix is one of all pairs, also those with a component without a diameter, which is as thin
-  /// as can be: the distance to it is the mean diameter of the other.
   void find_largest_distance(const Region_graph& graph)
   {
     std::vector<const Diameter_histogram*> signatures;
-    bool is_one_empty = false;
     for (const Region& region : graph.regions())
-      if (!region.diameters.empty())
-        signatures.push_back(&region.diameters);
-      else if (region.size > 0.)
-        is_one_empty = true;
+      if (!is_flat(region)) signatures.push_back(&region.diameters);
     m_largest_distance = 0.;
     for (std::size_t a = 0; a < signatures.size(); ++a)
-    {
-      if (is_one_empty)
-        m_largest_distance = (std::max)(m_largest_distance, signatures[a]->mean(m_scale));
       for (std::size_t b = 0; b < a; ++b)
         m_largest_distance = (std::max)(
             m_largest_distance, earth_movers_distance(*signatures[a], *signatures[b], m_scale));
-    }
     if (m_largest_distance == 0.) m_largest_distance = 1.;
   }
 
@@ -174,7 +161,7 @@ inline void merge_similar_components(Region_graph& graph, const Component_signat
 
 /// returns the neighbor that a flat component joins, or -1.
 ///
-/// First the longest seam that is strictly convex, without an edge in CNCSeam, then the highest ratio of convex to
+/// First the longest seam that is strictly convex, all of it in CVXSeam, then the highest ratio of convex to
 /// concave seam edges, if it is at least 1 and the two see each other well enough.
 inline int neighbor_of_flat_component(Region_graph& graph, const int flat,
                                       const double flat_visibility = 0.4)
@@ -189,7 +176,10 @@ inline int neighbor_of_flat_component(Region_graph& graph, const int flat,
   }
   std::sort(by_length.begin(), by_length.end());
   for (const auto& entry : by_length)
-    if (graph.seam(flat, entry.second).concave == 0.) return entry.second;
+  {
+    const Seam& seam = graph.seam(flat, entry.second);
+    if (seam.convex == seam.edges) return entry.second;
+  }
   std::sort(by_ratio.begin(), by_ratio.end());
   for (const auto& [negative_ratio, other] : by_ratio)
     if (-negative_ratio >= 1. && graph.visibility(flat, other) >= flat_visibility) return other;
