@@ -45,8 +45,8 @@ enum class Merging_rule
 /// How the visibility of two components is judged from that of their patches.
 enum class Fusion_rule
 {
-  EVERY_PAIR, ///< the threshold holds for every pair of patches (the text of section 4)
-  AVERAGE     ///< the threshold holds for the average over the pairs of patches
+  EVERY_PAIR, ///< the threshold holds for every pair of patches (the letter of section 4)
+  AVERAGE ///< the threshold holds for the share of all pairs of points, as the convexity rank (equation 1)
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -219,8 +219,8 @@ struct Border_parameters
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// All parameters of the method, by stage: each stage takes its own.
 ///
-/// A default constructed object is the default preset, the best that we know; `paper()` has every
-/// value and rule as \cgalCite{cgal:kfkac-ssaca-14} has them. Angles are in degrees; lengths are
+/// A default constructed object is the default preset, the best that we know; `paper()` follows
+/// \cgalCite{cgal:kfkac-ssaca-14} sentence by sentence, see \ref wcsPaperPreset. Angles are in degrees; lengths are
 /// relative to the extent of the shape: the diameter of the smallest sphere about the centroid of
 /// the points that holds them all. One set of values serves all shapes. Ranges are given in brackets.
 struct Parameters : Sampling_parameters,
@@ -230,7 +230,9 @@ struct Parameters : Sampling_parameters,
                     Merging_parameters,
                     Border_parameters
 {
-  /// returns the values and rules of the paper; where it is silent, see the stage's header.
+  /// returns the values and rules of the paper; where it is silent, see the stage's header. Its letter, which
+  /// asks theta of every pair of patches, is `Fusion_rule::EVERY_PAIR`, `Extra_neighbors::NONE` and a
+  /// `grazing_tolerance` of 0.
   static Parameters paper();
 
   /// returns the preset whose merge cost is fitted to people's segmentations of the 190 odd-numbered
