@@ -141,9 +141,8 @@ std::vector<CM::Labeling> run_methods(const Options& options, CM::Shape& shape, 
               {"cpu_seconds", labeling.cpu_seconds},
               {"peak_megabytes", outcome.peak_megabytes},
               {"parent_megabytes", outcome.parent_megabytes}};
-      const std::set<int> parts(labeling.labels.begin(), labeling.labels.end());
-      if (labeling.method == "default") shape.number_of_parts = parts.size();
-      if (labeling.method == "paper") shape.number_of_parts_of_paper = parts.size();
+      shape.parts_found[labeling.method] =
+          std::set<int>(labeling.labels.begin(), labeling.labels.end()).size();
       all.push_back(std::move(labeling));
     }
   }
@@ -220,7 +219,7 @@ void write_labels(const Options& options, const CM::Labeling& labeling)
 void score_methods(const Options& options, const SM::Benchmark_model& model,
                    const std::vector<CM::Labeling>& labelings, Json& outcomes)
 {
-  const Ranks ranks({model.mesh, CM::surface_mesh(model.mesh), 0, 0, {}});
+  const Ranks ranks({model.mesh, CM::surface_mesh(model.mesh)});
   for (const CM::Labeling& labeling : labelings)
   {
     Json& outcome = outcomes[labeling.method];
@@ -253,7 +252,7 @@ Json run_model(const Options& options)
     // before people's segmentations are read: they would count as memory of the methods
     const SM::Mesh mesh =
         SM::read_off(options.data / "off" / (std::to_string(options.model) + ".off"));
-    CM::Shape shape{mesh, CM::surface_mesh(mesh), 0, 0, options.program_folder};
+    CM::Shape shape{mesh, CM::surface_mesh(mesh), {}, options.program_folder};
     labelings = run_methods(options, shape, json["methods"]);
   }
   const SM::Benchmark_model model = SM::read_benchmark_model(options.data, options.model);

@@ -22,6 +22,7 @@
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -43,9 +44,9 @@ struct Shape
 {
   const Soup& soup;
   Surface_mesh mesh; ///< the faces in the same order; empty if they are no oriented manifold
-  std::size_t number_of_parts = 0; ///< that the default found, for the methods that are given it
-  std::size_t number_of_parts_of_paper = 0; ///< likewise that of the preset `paper`
-  std::filesystem::path program_folder;     ///< where segment_by_pcl may be
+  std::map<std::string, std::size_t> parts_found =
+      {};                                    ///< by methods that ran, for those that are told
+  std::filesystem::path program_folder = {}; ///< where segment_by_pcl may be
 };
 
 inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -142,10 +143,12 @@ inline std::vector<Labeling> segment_by_lines_of_sight(const Shape& shape, const
 /// the same with the number of parts that a preset found
 inline std::vector<Labeling> segment_by_told_lines_of_sight(const Shape& shape,
                                                             const std::string& name,
-                                                            const std::size_t number_of_parts)
+                                                            const std::string& preset)
 {
-  if (number_of_parts == 0) throw std::runtime_error("the preset, before it, failed");
-  return segment_by_lines_of_sight(shape, name, number_of_parts);
+  const auto found = shape.parts_found.find(preset);
+  if (found == shape.parts_found.end())
+    throw std::runtime_error("the preset " + preset + ", before it, failed");
+  return segment_by_lines_of_sight(shape, name, found->second);
 }
 
 /// the faces turned so that they agree, for methods that need an oriented manifold
@@ -225,14 +228,11 @@ inline std::vector<Method> methods()
            {"lines_of_sight"}},
           {"lines_of_sight_told",
            [](const Shape& s)
-           { return segment_by_told_lines_of_sight(s, "lines_of_sight_told", s.number_of_parts); },
+           { return segment_by_told_lines_of_sight(s, "lines_of_sight_told", "default"); },
            {"lines_of_sight_told"}},
           {"lines_of_sight_told_paper",
            [](const Shape& s)
-           {
-             return segment_by_told_lines_of_sight(s, "lines_of_sight_told_paper",
-                                                   s.number_of_parts_of_paper);
-           },
+           { return segment_by_told_lines_of_sight(s, "lines_of_sight_told_paper", "paper"); },
            {"lines_of_sight_told_paper"}},
           {"sdf", segment_by_sdf, {"sdf", "sdf_tuned"}},
           {"cpc", [](const Shape& s) { return segment_by_pcl(s, "cpc"); }, {"cpc"}},

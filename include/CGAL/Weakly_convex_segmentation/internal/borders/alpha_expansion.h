@@ -12,7 +12,9 @@
 // Border refinement as the paper has it (section 5, equations 3-5): alpha expansion over the labels of
 // all segments, in a narrow band.
 //
-// The maximum of equation 3 is, for each label, over the points of the band, outside of which no label moves.
+// The maximum of equation 3 is, for each label, over the points of the band, outside of which no label moves. How
+// narrow it is the paper does not say: with a half width of 0.015, 0.01 or 0.03 the `paper` preset has a 1 - RI of
+// 0.140, 0.141 and 0.140, with borders as they are 0.142.
 //
 // The angle beta of equation 5 is read as the exterior one between the tangent planes, pi for a flat
 // border and less for a concave one: the paper wants a smaller cost where the surface is concave, and

@@ -10,7 +10,8 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_DIAMETERS_DIAMETER_HISTOGRAM_H
 
 // The volumetric signature of a region (section 5): a histogram of shape diameters, additive under
-// merging, and the earth mover's distance between two of them (equation 2).
+// merging, and the earth mover's distance between two of them (equation 2). The paper is silent on the bins; with 16
+// instead of 64 the `paper` preset has the same 1 - RI, 0.140.
 
 #include <algorithm>
 #include <array>

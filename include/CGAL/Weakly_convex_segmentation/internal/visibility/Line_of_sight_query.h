@@ -12,7 +12,11 @@
 // Lines of sight between points (section 3): against the disks of the points, or what the caller has.
 //
 // The paper is silent on how near the ends of a line the disks begin to occlude, see make_disk_tree(), and on
-// whether a line that passes outside of the shape, over a gap, counts: it does.
+// whether a line that passes outside of the shape, over a gap, counts: it does. Nor does it say when a disk that is
+// hardly met occludes: over a flat or noisy surface neighbors would hide each other, so lines pass at under
+// `grazing_tolerance` degrees. The `paper` preset, with 5, has a 1 - RI of 0.140, with 2 or 0 degrees 0.142; with lines
+// that must not leave the surface by 0, 5 or 9 degrees 0.156, 0.153, 0.151 instead of 0.151 (bare points, one seed);
+// with disks of half the radius, seen from one side, 0.225 instead of 0.164.
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Kd_tree.h>
