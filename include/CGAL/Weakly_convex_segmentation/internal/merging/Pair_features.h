@@ -27,6 +27,16 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// measures what the features of a graph's pairs are made of; before any merge.
+inline void measure_pairs(Region_graph& graph, const Oriented_points& points,
+                          const Neighbor_graph& neighbors, const Patches& patches,
+                          const std::vector<Diameter_sample>& samples)
+{
+  set_signatures(graph, patches, samples, Histogram_scale());
+  graph.add_shapes(points, neighbors, patches, samples);
+  graph.add_profiles(points, neighbors, patches);
+}
+
 /// Features of pairs of regions of one graph; `a` is the smaller region, `u` the union.
 class Pair_features
 {
@@ -50,6 +60,14 @@ public:
 
   /// fills `features` for two adjacent regions, in the order of `pair_feature_names()`.
   void compute(int a, int b, std::vector<float>& features);
+
+  /// the default's cost, the last feature: with constants of its own, so that a change of the default moves no
+  /// table
+  double weighted_cost(const int a, const int b) const
+  {
+    constexpr Merging_cost weights = {2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
+    return m_cost(a, b, weights, (std::numeric_limits<double>::max)());
+  }
 
 private:
   static constexpr double missing_diameter_distance = 0.302; ///< as when the table was fitted
@@ -268,8 +286,7 @@ inline void Pair_features::add_seam_shape(const Region& first, const Region& sec
 }
 
 /// Hand-made costs: two of few terms, and the default's. Trees meet kinds of shape that they were not
-/// fitted on with far fewer wrong merges when they know them; fixed here, so that a change of the
-/// default moves no table.
+/// fitted on with far fewer wrong merges when they know them.
 inline void Pair_features::add_costs(const int a, const int b, std::vector<float>& f)
 {
   const Region &first = m_graph.region(a), &second = m_graph.region(b);
@@ -282,8 +299,7 @@ inline void Pair_features::add_costs(const int a, const int b, std::vector<float
   const double leniency = std::pow((std::min)(1., share / 0.03), 0.08);
   add_feature(f, leniency * (1.33 * blindness + 0.55 * concavity + 0.145 * distance));
   add_feature(f, leniency * (0.114 * blindness + 3.05 * concavity + distance));
-  constexpr Merging_cost weights = {2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
-  add_feature(f, m_cost(a, b, weights, (std::numeric_limits<double>::max)()));
+  add_feature(f, weighted_cost(a, b));
 }
 
 inline void Pair_features::compute(int a, int b, std::vector<float>& features)

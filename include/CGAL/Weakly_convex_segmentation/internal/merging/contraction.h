@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <tuple>
@@ -34,6 +35,8 @@ struct Contraction_log
   Merge_tree& tree;
   Visitor* visitor = nullptr;
   std::vector<int> segment_of_patch = {}; ///< only regions of one segment are merged; empty: any
+  /// is told of the two regions and the cost while both are still there; may be empty
+  std::function<void(int, int, double)> before_merge = {};
 
   bool may_merge(const int a, const int b) const
   {
@@ -84,6 +87,7 @@ inline void contract(Region_graph& graph, const Function_ref<double(int, int)> c
     const Contraction_candidate best = queue.top();
     queue.pop();
     if (age[best.a] != best.age_a || age[best.b] != best.age_b) continue;
+    if (log.before_merge) log.before_merge(best.a, best.b, best.cost);
     graph.merge(best.a, best.b);
     log.add(best.a, best.b, best.cost);
     ++age[best.a];

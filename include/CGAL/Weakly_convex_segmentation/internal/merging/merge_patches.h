@@ -19,6 +19,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Merge_strategy.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/contraction.h>
+#include <CGAL/Weakly_convex_segmentation/internal/merging/judged_merges.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/cut_patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
@@ -59,6 +60,18 @@ inline std::vector<int> segments_of_patches(const Shape_analysis& shape, const P
   labels.reserve(shape.points().size());
   for (const int p : set.patches.of_point) labels.push_back(regions[p]);
   return labels;
+}
+
+/// judges the merges of a set of patches by trees.
+inline Judged_merges judge_patches(const Shape_analysis& shape, const Patch_set& set,
+                                   const Parameters& parameters, const Run_control& control,
+                                   const Boosted_trees& trees)
+{
+  Region_graph graph(shape.points(), shape.graph, set.patches, *set.visibility, parameters);
+  measure_pairs(graph, shape.points(), shape.graph, set.patches, shape.diameters);
+  Pair_features features(graph, set.patches, shape.diameters);
+  Silent_visitor asking(control);
+  return judge_merges(graph, features, trees, &asking);
 }
 
 /// merges two regions for which there is no cost.
