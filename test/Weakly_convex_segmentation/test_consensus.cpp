@@ -14,6 +14,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 // What several segmentations agree on, and how the pipeline makes use of it.
@@ -45,6 +46,29 @@ bool are_one_partition(const Labels& a, const Labels& b)
   return true;
 }
 
+/// the consensus of cuts, at the share that the default asks for
+Labels agreed_labels(const std::vector<Labels>& cuts, const double minimum_size)
+{
+  std::vector<Votes> votes;
+  for (const Labels& cut : cuts) votes.push_back({cut});
+  return consensus_labels(votes, 0.4, minimum_size);
+}
+
+/// votes of regions of ten points each that are together with the probabilities of a full matrix
+Votes votes_of_matrix(const std::vector<std::vector<double>>& matrix)
+{
+  Votes votes;
+  votes.together.resize(matrix.size());
+  for (std::size_t a = 0; a < matrix.size(); ++a)
+  {
+    votes.labels.insert(votes.labels.end(), 10, static_cast<int>(a));
+    for (std::size_t b = 0; b < matrix.size(); ++b)
+      if (a != b && matrix[a][b] > 0.)
+        votes.together[a].push_back({static_cast<int>(b), matrix[a][b]});
+  }
+  return votes;
+}
+
 Result segmented(const Shape_generator::Labeled_mesh& mesh, const Parameters& parameters)
 {
   return Compiled_core::segment_points(points_of_mesh(mesh), parameters, {});
@@ -63,19 +87,19 @@ BOOST_AUTO_TEST_CASE(segmentations_that_are_the_same_agree_on_themselves)
       std::vector<Labels> renamed(number, labels);
       for (std::size_t s = 0; s < number; ++s)
         for (int& l : renamed[s]) l = (l * 7 + static_cast<int>(s)) % (count * 7 + 10);
-      BOOST_CHECK(are_one_partition(consensus_labels(renamed, 0.), labels));
+      BOOST_CHECK(are_one_partition(agreed_labels(renamed, 0.), labels));
     }
 }
 
 BOOST_AUTO_TEST_CASE(two_of_three_decide)
 {
   const Labels apart = runs({{0, 50}, {1, 50}}), together = runs({{4, 100}});
-  BOOST_CHECK(are_one_partition(consensus_labels({apart, together, apart}, 0.), apart));
-  BOOST_CHECK(are_one_partition(consensus_labels({together, apart, together}, 0.), together));
+  BOOST_CHECK(are_one_partition(agreed_labels({apart, together, apart}, 0.), apart));
+  BOOST_CHECK(are_one_partition(agreed_labels({together, apart, together}, 0.), together));
   // the middle of three borders
   BOOST_CHECK(are_one_partition(
-      consensus_labels(
-          {runs({{0, 45}, {1, 55}}), runs({{2, 52}, {9, 48}}), runs({{0, 60}, {1, 40}})}, 0.),
+      agreed_labels({runs({{0, 45}, {1, 55}}), runs({{2, 52}, {9, 48}}), runs({{0, 60}, {1, 40}})},
+                    0.),
       runs({{0, 52}, {1, 48}})));
 }
 
@@ -89,9 +113,9 @@ BOOST_AUTO_TEST_CASE(the_order_of_the_segmentations_does_not_matter)
       while (labels.size() < 400)
         labels.insert(labels.end(), 1 + random() % 60, static_cast<int>(random() % 6));
     for (Labels& labels : segmentations) labels.resize(400);
-    const Labels agreed = consensus_labels(segmentations, 0.);
+    const Labels agreed = agreed_labels(segmentations, 0.);
     std::swap(segmentations[0], segmentations[2]);
-    BOOST_CHECK(are_one_partition(agreed, consensus_labels(segmentations, 0.)));
+    BOOST_CHECK(are_one_partition(agreed, agreed_labels(segmentations, 0.)));
   }
 }
 
@@ -100,9 +124,9 @@ BOOST_AUTO_TEST_CASE(small_segments_join_what_they_agree_with_most)
   // three points that are once with the first, once with the second and once on their own
   const std::vector<Labels> segmentations = {runs({{0, 53}, {1, 50}}), runs({{0, 50}, {1, 53}}),
                                              runs({{0, 50}, {2, 3}, {1, 50}})};
-  const Labels all = consensus_labels(segmentations, 0.);
+  const Labels all = agreed_labels(segmentations, 0.);
   BOOST_CHECK_EQUAL(std::set<int>(all.begin(), all.end()).size(), 3u);
-  const Labels large = consensus_labels(segmentations, 4.);
+  const Labels large = agreed_labels(segmentations, 4.);
   BOOST_CHECK_EQUAL(std::set<int>(large.begin(), large.end()).size(), 2u);
   BOOST_CHECK(large[0] != large[102]);
 }
@@ -110,7 +134,70 @@ BOOST_AUTO_TEST_CASE(small_segments_join_what_they_agree_with_most)
 BOOST_AUTO_TEST_CASE(what_nothing_agrees_with_stays)
 {
   const Labels labels = runs({{0, 100}, {1, 1}});
-  BOOST_CHECK(are_one_partition(consensus_labels({labels, labels}, 50.), labels));
+  BOOST_CHECK(are_one_partition(agreed_labels({labels, labels}, 50.), labels));
+}
+
+BOOST_AUTO_TEST_CASE(probabilities_decide_by_their_mean)
+{
+  const Labels apart = runs({{0, 10}, {1, 10}}), together = runs({{0, 20}});
+  const auto votes = [](const double p) { return votes_of_matrix({{1., p}, {p, 1.}}); };
+  BOOST_CHECK(are_one_partition(consensus_labels({votes(0.6)}, 0.5, 0.), together));
+  BOOST_CHECK(are_one_partition(consensus_labels({votes(0.4)}, 0.5, 0.), apart));
+  // two doubt it a little, one is sure: a majority of cuts would part them
+  BOOST_CHECK(
+      are_one_partition(consensus_labels({votes(0.4), votes(0.4), votes(0.9)}, 0.5, 0.), together));
+  BOOST_CHECK(
+      are_one_partition(consensus_labels({votes(0.6), votes(0.6), votes(0.1)}, 0.5, 0.), apart));
+  // a cut votes with a probability of 0 or 1
+  BOOST_CHECK(are_one_partition(consensus_labels({{apart}, votes(0.9)}, 0.5, 0.), apart));
+  BOOST_CHECK(are_one_partition(consensus_labels({{together}, votes(0.1)}, 0.5, 0.), together));
+}
+
+BOOST_AUTO_TEST_CASE(clusters_are_linked_by_the_mean_over_their_points)
+{
+  // the middle one goes with the first; the pair is then together with the last by (0.6 + 0.1) / 2
+  const Votes chain = votes_of_matrix({{1., 0.8, 0.1}, {0.8, 1., 0.6}, {0.1, 0.6, 1.}});
+  BOOST_CHECK(
+      are_one_partition(consensus_labels({chain}, 0.5, 0.), runs({{0, 10}, {0, 10}, {1, 10}})));
+  BOOST_CHECK(are_one_partition(consensus_labels({chain}, 0.3, 0.), runs({{0, 30}})));
+  BOOST_CHECK(
+      are_one_partition(consensus_labels({chain}, 0.9, 0.), runs({{0, 10}, {1, 10}, {2, 10}})));
+  // too small for a segment: each joins what it is together with most, until all are one
+  BOOST_CHECK(
+      are_one_partition(consensus_labels({chain}, 0.9, 10.), runs({{0, 10}, {1, 10}, {2, 10}})));
+  BOOST_CHECK(are_one_partition(consensus_labels({chain}, 0.9, 11.), runs({{0, 30}})));
+}
+
+BOOST_AUTO_TEST_CASE(a_tree_votes_by_the_merge_that_joins_two_regions)
+{
+  Judged_merges tree;
+  tree.region_of_patch = {0, 1, 1, 2, 3}; // the last one touches nothing
+  tree.number_of_regions = 4;
+  tree.merges = {{1, 2, 0.7}, {0, 1, 0.2}};
+  const Votes votes = votes_of_merges(tree, {0, 1, 2, 3, 4, 0});
+  BOOST_CHECK(votes.labels == (Labels{0, 1, 1, 2, 3, 0}));
+  using Row = std::vector<std::pair<int, double>>;
+  BOOST_CHECK(votes.together[0] == (Row{{1, 0.2}, {2, 0.2}}));
+  BOOST_CHECK(votes.together[1] == (Row{{0, 0.2}, {2, 0.7}}));
+  BOOST_CHECK(votes.together[2] == (Row{{0, 0.2}, {1, 0.7}}));
+  BOOST_CHECK(votes.together[3].empty());
+}
+
+BOOST_AUTO_TEST_CASE(merges_of_a_shape_are_judged_once_each)
+{
+  const auto shape = analyze_shape(points_of_mesh(Shape_generator::make_mesh("dumbbell", 3000)),
+                                   Parameters::fitted(), {});
+  const Patch_set& set = shape->patch_sets.front();
+  const Judged_merges tree = judge_patches(*shape, set, Parameters::fitted(), {}, learned_trees());
+  BOOST_CHECK_GE(tree.number_of_regions, 3u);
+  BOOST_CHECK_LT(tree.number_of_regions, set.patches.size());
+  BOOST_CHECK_EQUAL(tree.merges.size() + 1, tree.number_of_regions);
+  std::set<int> gone;
+  for (const Judged_merge& merge : tree.merges)
+  {
+    BOOST_CHECK(gone.count(merge.first) == 0 && gone.insert(merge.second).second);
+    BOOST_CHECK(merge.probability > 0. && merge.probability < 1.);
+  }
 }
 
 /// a row of points, each a neighbor of the next

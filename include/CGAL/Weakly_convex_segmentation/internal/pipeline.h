@@ -16,8 +16,10 @@
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
+#include <CGAL/Weakly_convex_segmentation/internal/merging/learned_cost_table.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/merge_patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/output/label_transfer.h>
 #include <CGAL/Weakly_convex_segmentation/internal/output/segment_statistics.h>
@@ -40,22 +42,37 @@ struct Representative_labels
   std::vector<int> segments;
 };
 
-/// returns the segment of each representative: what most of the sets of patches lead to. The borders of each
-/// set's segments are refined first, else the consensus would have those of many patches.
+/// returns what a set of patches says: a cut by the cost, or the probabilities of the fitted preset.
+inline Votes votes_of_set(const Shape_analysis& shape, const Patch_set& set,
+                          const Parameters& parameters, const Run_control& control,
+                          const Merge_cost& own_cost, const Boosted_trees& trees)
+{
+  if (own_cost.cost || parameters.merging != Merging_rule::FITTED)
+    return {segments_of_patches(shape, set, parameters, control, own_cost)};
+  return votes_of_merges(judge_patches(shape, set, parameters, control, trees),
+                         set.patches.of_point);
+}
+
+/// returns the segment of each representative: what the sets of patches agree on. The borders of each set's
+/// regions are refined first, else the consensus would have those of many patches.
 inline std::vector<int> decide_segments(const Shape_analysis& shape, const Parameters& parameters,
-                                        const Run_control& control, const Merge_cost& own_cost)
+                                        const Run_control& control, const Merge_cost& own_cost,
+                                        const Boosted_trees& trees = learned_trees())
 {
   const std::size_t sets = shape.patch_sets.size();
-  std::vector<std::vector<int>> of_sets(sets);
+  std::vector<Votes> votes(sets);
   const auto decide = [&](const std::size_t s)
   {
-    of_sets[s] = segments_of_patches(shape, shape.patch_sets[s], parameters, control, own_cost);
-    if (sets > 1) refine_borders(shape.graph, parameters, of_sets[s], control.parallel);
+    votes[s] = votes_of_set(shape, shape.patch_sets[s], parameters, control, own_cost, trees);
+    if (sets > 1) refine_borders(shape.graph, parameters, votes[s].labels, control.parallel);
   };
   parallel_for(sets, control.parallel, decide, 1);
-  if (sets == 1) return std::move(of_sets.front());
-  return consensus_labels(of_sets, parameters.minimum_segment_share *
-                                       static_cast<double>(shape.points().size()));
+  const bool are_cuts = votes.front().together.empty();
+  if (sets == 1 && are_cuts) return std::move(votes.front().labels);
+  // two of three: 2/3; classes that one of three joins to each other, 1/3, stay apart
+  const double least = are_cuts ? 0.4 : 1. - parameters.merging_threshold;
+  return consensus_labels(
+      votes, least, parameters.minimum_segment_share * static_cast<double>(shape.points().size()));
 }
 
 /// refines the borders and carries the labels to the input.

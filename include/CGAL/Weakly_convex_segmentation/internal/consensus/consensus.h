@@ -9,10 +9,11 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_CONSENSUS_H
 
-// What several segmentations of one shape agree on. Where patches end is left to chance in part, and
+// What the votes of several sets of patches on one shape agree on. Where patches end is left to chance in part, and
 // with it whether a part is found that is hardly one. Segmentations from several sets of patches err
 // independently of each other, so most of them are right more often than each of them.
 
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 
 #include <algorithm>
@@ -35,14 +36,14 @@ struct Overlay
   std::vector<double> sizes;            ///< points in each class
 };
 
-inline Overlay overlay(const std::vector<std::vector<int>>& segmentations)
+inline Overlay overlay(const std::vector<Votes>& votes)
 {
   Overlay result;
   std::map<std::vector<int>, int> number;
-  std::vector<int> labels(segmentations.size());
-  for (std::size_t i = 0; i < segmentations.front().size(); ++i)
+  std::vector<int> labels(votes.size());
+  for (std::size_t i = 0; i < votes.front().labels.size(); ++i)
   {
-    for (std::size_t s = 0; s < labels.size(); ++s) labels[s] = segmentations[s][i];
+    for (std::size_t s = 0; s < labels.size(); ++s) labels[s] = votes[s].labels[i];
     const auto [slot, is_new] = number.emplace(labels, static_cast<int>(result.sizes.size()));
     if (is_new)
     {
@@ -55,25 +56,31 @@ inline Overlay overlay(const std::vector<std::vector<int>>& segmentations)
   return result;
 }
 
-/// Clusters of the classes of an overlay, by the share of the segmentations that have two points of
-/// them in one segment, on average over the points: sums of pairs of points add up under merging.
+/// Clusters of the classes of an overlay, by the share of the votes that have two points of them
+/// together, on average over the points: sums of pairs of points add up under merging.
 class Consensus
 {
 public:
-  explicit Consensus(const Overlay& classes)
-    : m_runs(static_cast<double>(classes.labels.front().size())), m_sizes(classes.sizes),
+  Consensus(const Overlay& classes, const std::vector<Votes>& votes)
+    : m_runs(static_cast<double>(votes.size())), m_sizes(classes.sizes),
       m_clusters(classes.sizes.size()), m_together(classes.sizes.size()),
       m_age(classes.sizes.size(), 0)
   {
-    for (std::size_t s = 0; s < classes.labels.front().size(); ++s)
+    for (std::size_t s = 0; s < votes.size(); ++s)
     {
-      std::map<int, std::vector<int>> with_label;
+      std::map<int, std::vector<int>> of_region;
       for (std::size_t c = 0; c < m_sizes.size(); ++c)
-        with_label[classes.labels[c][s]].push_back(static_cast<int>(c));
-      for (const auto& [label, members] : with_label)
-        for (const int a : members)
-          for (const int b : members)
-            if (a != b) m_together[a][b] += m_sizes[a] * m_sizes[b];
+        of_region[classes.labels[c][s]].push_back(static_cast<int>(c));
+      for (const auto& [region, members] : of_region)
+      {
+        add(members, members, 1.);
+        if (votes[s].together.empty()) continue;
+        for (const auto& [other, probability] : votes[s].together[region])
+        {
+          const auto found = of_region.find(other); // refined borders may leave a region no point
+          if (found != of_region.end()) add(members, found->second, probability);
+        }
+      }
     }
   }
 
@@ -113,6 +120,13 @@ public:
   int cluster_of(const int c) const { return m_clusters.name_of(c); }
 
 private:
+  void add(const std::vector<int>& first, const std::vector<int>& second, const double probability)
+  {
+    for (const int a : first)
+      for (const int b : second)
+        if (a != b) m_together[a][b] += probability * (m_sizes[a] * m_sizes[b]);
+  }
+
   struct Candidate
   {
     double share, pairs;
@@ -154,28 +168,27 @@ private:
     ++m_age[b];
   }
 
-  double m_runs;                 ///< number of segmentations
+  double m_runs;                 ///< number of votes
   std::vector<double> m_sizes;   ///< points in each cluster
   Disjoint_sets<int> m_clusters; ///< of classes
-  /// pairs of points of two clusters that are together, summed over the segmentations
+  /// pairs of points of two clusters that are together, summed over the votes
   std::vector<std::map<int, double>> m_together;
   std::vector<std::size_t> m_age;
   std::priority_queue<Candidate> m_queue;
 };
 
-/// returns the labels that most of the segmentations agree on, one a point, from 0 on but with gaps.
-/// Segments of fewer than `minimum_size` points join the one that they agree with most.
+/// returns the labels that the votes agree on, one a point, from 0 on but with gaps. Two points of different
+/// segments are together with a probability of no more than `least`, on average. Segments of fewer than
+/// `minimum_size` points join the one that they agree with most.
 ///
 /// Complexity: linear in the number of points, besides O(m^2 log m) for m classes that overlap in a
 /// segment.
-inline std::vector<int> consensus_labels(const std::vector<std::vector<int>>& segmentations,
+inline std::vector<int> consensus_labels(const std::vector<Votes>& votes, const double least,
                                          const double minimum_size)
 {
-  // two of three: 2/3; classes that one of three joins to each other, 1/3, stay apart
-  constexpr double least_share = 0.4;
-  const Overlay classes = overlay(segmentations);
-  Consensus agreement(classes);
-  agreement.merge_down_to(least_share);
+  const Overlay classes = overlay(votes);
+  Consensus agreement(classes, votes);
+  agreement.merge_down_to(least);
   agreement.absorb_smaller_than(minimum_size);
   std::vector<int> labels;
   labels.reserve(classes.of_point.size());
