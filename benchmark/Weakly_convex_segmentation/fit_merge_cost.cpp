@@ -4,16 +4,14 @@
 // The C++ side of fitting the merge cost of the `fitted` preset to labeled shapes; fit_merge_cost.py
 // trains and calls it.
 //
-//   fit_merge_cost prepare DATA_DIR VARIANT FOLDER [NAME=VALUE...]  analyzes all models once
-//   fit_merge_cost samples FOLDER OUT.bin [TABLES]                  features, targets, weights of pairs
-//   fit_merge_cost score FOLDER TABLES THRESHOLD...                 1 - Rand Index of the segmentations
-//   fit_merge_cost score_cut FOLDER TABLES THRESHOLD...             the same after refining borders
-//   fit_merge_cost names                                            features and their directions
+//   fit_merge_cost prepare DATA_DIR VARIANT FOLDER [NAME=VALUE...]  analyzes all models once, for tune_costs
+//   fit_merge_cost samples DATA_DIR VARIANT OUT.bin [NAME=VALUE...] features, targets, weights of merges
+//   fit_merge_cost score DATA_DIR VARIANT TABLES [NAME=VALUE...]    1 - Rand Index of the segmentations
+//   fit_merge_cost names                                            features, in order
 //
 // VARIANT is what the models are turned into: mesh, points, half, surface, one_view, two_views,
-// four_views, noisy_scan, and NAME=VALUE is a member of Parameters. TABLES is a folder with tables of trees, K.txt, and folds.txt,
-// which names a model and its table a line; with `samples` the pairs are then those on the trees' own
-// path instead of the default cost's.
+// four_views, noisy_scan, and NAME=VALUE is a member of Parameters. TABLES is a folder with tables of trees,
+// K.txt, and folds.txt, which names a model and its table a line.
 
 #include "common/set_parameter.h"
 #include "fit/patch_scores.h"
@@ -28,9 +26,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -119,58 +115,35 @@ double agreement(const Model& model, const WCS::internal::Region_graph& graph, c
   return count > 0. ? sum / count : 0.5;
 }
 
-/// A model with its regions and features.
-struct Trial
+/// writes one row for each merge that is judged on the way of a set of patches down to one region, by the default's cost: model,
+/// weight, target, features.
+void write_samples(const Model& model, const WCS::internal::Patch_set& set, std::ofstream& out)
 {
-  Model& model;
-  WCS::internal::Region_graph graph;
-  WCS::internal::Pair_features features;
-  WCS::Merge_tree tree;
-
-  Trial(Model& m, const WCS::Parameters& parameters)
-    : model(m), graph(m.shape->points(), m.shape->graph, m.shape->patches(), m.shape->visibility(),
-                      parameters),
-      features(graph, m.shape->patches(), m.shape->diameters), tree(m.shape->patches().size())
+  const WCS::internal::Shape_analysis& shape = *model.shape;
+  WCS::internal::Region_graph graph(shape.points(), shape.graph, set.patches, *set.visibility,
+                                    WCS::Parameters());
+  WCS::internal::measure_pairs(graph, shape.points(), shape.graph, set.patches, shape.diameters);
+  WCS::internal::Pair_features features(graph, set.patches, shape.diameters);
+  std::vector<float> row, values;
+  bool above = false;
+  const auto write = [&](const int a, const int b, const double cost)
   {
-    WCS::internal::set_signatures(graph, m.shape->patches(), m.shape->diameters,
-                                  WCS::internal::Histogram_scale());
-    graph.add_shapes(m.shape->points(), m.shape->graph, m.shape->patches(), m.shape->diameters);
-    graph.add_profiles(m.shape->points(), m.shape->graph, m.shape->patches());
-  }
-  Trial(const Trial& other)
-    : model(other.model), graph(other.graph),
-      features(graph, model.shape->patches(), model.shape->diameters), tree(other.tree)
-  {}
-};
-
-using Path_cost = std::function<double(int, int)>;
-
-/// writes one row a pair that is looked at on the way down to one region: model, weight, target,
-/// features.
-void write_samples(Trial& trial, const Path_cost& cost, std::ofstream& out)
-{
-  std::vector<std::vector<float>> rows;
-  double total = 0.;
-  const auto criterion = [&](const int a, const int b)
-  {
-    std::vector<float> row = {static_cast<float>(trial.model.number)}, features;
-    const double shares = trial.graph.region(a).size * trial.graph.region(b).size /
-                          (trial.graph.total_size() * trial.graph.total_size());
-    row.push_back(static_cast<float>(std::pow(shares, 0.8)));
-    total += row.back();
-    row.push_back(static_cast<float>(agreement(trial.model, trial.graph, a, b)));
-    trial.features.compute(a, b, features);
-    row.insert(row.end(), features.begin(), features.end());
-    rows.push_back(std::move(row));
-    return cost(a, b);
-  };
-  WCS::internal::contract(trial.graph, criterion, {trial.tree, nullptr});
-  for (auto& row : rows)
-  {
-    row[1] = static_cast<float>(row[1] / total);
+    above = above || cost > WCS::internal::certain_merge_cost;
+    if (!above) return; // no tree is asked
+    const double shares =
+        graph.region(a).size * graph.region(b).size / (graph.total_size() * graph.total_size());
+    row = {static_cast<float>(model.number), static_cast<float>(std::pow(shares, 0.8)),
+           static_cast<float>(agreement(model, graph, a, b))};
+    features.compute(a, b, values);
+    row.insert(row.end(), values.begin(), values.end());
     out.write(reinterpret_cast<const char*>(row.data()),
               static_cast<std::streamsize>(row.size() * sizeof(float)));
-  }
+  };
+  WCS::Merge_tree tree(set.patches.size());
+  WCS::internal::Contraction_log log{tree};
+  log.before_merge = write;
+  WCS::internal::contract(
+      graph, [&](const int a, const int b) { return features.weighted_cost(a, b); }, log);
 }
 
 /// 1 - Rand Index and number of segments, averaged a category and overall.
@@ -205,146 +178,82 @@ private:
   double m_segments = 0., m_models = 0.;
 };
 
-void prepare(const std::filesystem::path& data, const std::string& variant,
-             const std::filesystem::path& folder, const WCS::Parameters& parameters)
+/// analyzes all models and calls `visit(model)` for each.
+template <typename Visit>
+void for_each_model(const std::filesystem::path& data, const std::string& variant,
+                    const WCS::Parameters& parameters, const Visit& visit)
 {
-  std::filesystem::create_directories(folder);
   const auto its = Shape_variants::variant_of_name(variant);
   Patch_scores::for_each_number(data / "off", ".off",
                                 [&](const int n)
                                 {
                                   Model model = Patch_scores::load(data, n, parameters, its);
-                                  Patch_scores::save(model, folder);
-                                });
-}
-
-template <typename Visit>
-void for_each_saved(const std::filesystem::path& folder, const Visit& visit)
-{
-  Patch_scores::for_each_number(folder, ".bin",
-                                [&](const int n)
-                                {
-                                  Model model = Patch_scores::load_saved(folder, n, {});
                                   visit(model);
                                 });
 }
 
-/// the order in which regions are merged while samples are taken
-Path_cost path_cost(Trial& trial, const Tree_tables* tables)
+void prepare(const std::filesystem::path& data, const std::string& variant,
+             const std::filesystem::path& folder, WCS::Parameters parameters)
 {
-  if (tables != nullptr)
-    return [&trial, table = tables->of_model(trial.model.number)](const int a, const int b)
-    {
-      std::vector<float> features;
-      trial.features.compute(a, b, features);
-      return -table.trees()(features);
-    };
-  return [&trial](const int a, const int b)
-  {
-    const WCS::internal::Histogram_scale scale;
-    const WCS::internal::Region_cost cost(trial.graph, trial.model.shape->patches(),
-                                          trial.model.shape->diameters, scale);
-    WCS::Merging_cost weights;
-    weights.diameter_weight = 1.;
-    weights.concavity_weight = 2.;
-    return 0.5 * cost(a, b, weights, (std::numeric_limits<double>::max)());
-  };
+  std::filesystem::create_directories(folder);
+  parameters.number_of_patch_sets = 1; // a cost is searched for by what it makes of one
+  for_each_model(data, variant, parameters,
+                 [&](Model& model) { Patch_scores::save(model, folder); });
 }
 
-void samples(const std::filesystem::path& folder, const std::filesystem::path& path,
-             const Tree_tables* tables)
+void samples(const std::filesystem::path& data, const std::string& variant,
+             const std::filesystem::path& path, const WCS::Parameters& parameters)
 {
-  const WCS::Parameters parameters;
   std::ofstream out(path, std::ios::binary);
-  for_each_saved(folder,
+  for_each_model(data, variant, parameters,
                  [&](Model& model)
                  {
-                   Trial trial(model, parameters);
-                   write_samples(trial, path_cost(trial, tables), out);
+                   for (std::size_t s = 0; s < model.shape->patch_sets.size(); ++s)
+                   {
+                     Patch_scores::count_patches(model, s);
+                     write_samples(model, model.shape->patch_sets[s], out);
+                   }
                  });
   if (!out.flush()) throw std::runtime_error("can't write " + path.string());
 }
 
-std::vector<int> fitted_regions(Trial& trial, const Tree_table& table, const double threshold)
+/// prints the scores of the whole pipeline, each model judged by the trees that are for it.
+void score(const std::filesystem::path& data, const std::string& variant, const Tree_tables& tables,
+           const WCS::Parameters& parameters)
 {
-  const auto trees = table.trees();
-  const WCS::internal::Learned_cost cost(trial.features, trees);
-  const WCS::internal::Contraction_log log{trial.tree, nullptr};
-  WCS::internal::contract_up_to(
-      trial.graph, [&](const int a, const int b) { return cost(a, b); }, threshold, log);
-  const WCS::Parameters parameters = WCS::Parameters::fitted();
-  const WCS::internal::Histogram_scale scale;
-  WCS::internal::absorb_small_regions(
-      trial.graph,
-      WCS::internal::Region_cost(trial.graph, trial.model.shape->patches(),
-                                 trial.model.shape->diameters, scale),
-      parameters, log);
-  return trial.graph.labels();
-}
-
-/// prints the scores at several thresholds and the default's.
-void score(const std::filesystem::path& folder, const Tree_tables& tables,
-           const std::vector<double>& thresholds, const bool with_cut)
-{
-  const WCS::Parameters parameters;
-  std::vector<Scores> fitted(thresholds.size());
-  Scores plain;
-  const auto error = [&](const Model& model, const std::vector<int>& regions)
-  {
-    return with_cut ? Patch_scores::rand_error_of_labels(
-                          model, Patch_scores::refined_labels(model, regions, parameters))
-                    : Patch_scores::rand_error(model, regions);
-  };
-  for_each_saved(folder,
+  Scores scores;
+  for_each_model(data, variant, parameters,
                  [&](Model& model)
                  {
-                   const Trial fresh(model, parameters);
-                   for (std::size_t i = 0; i < thresholds.size(); ++i)
-                   {
-                     Trial own(fresh);
-                     const auto regions =
-                         fitted_regions(own, tables.of_model(model.number), thresholds[i]);
-                     fitted[i].add(model, error(model, regions), regions);
-                   }
-                   const auto labels = WCS::internal::segments_of_patches(
-                       *model.shape, model.shape->patch_sets.front(), parameters, {}, {});
-                   std::vector<int> regions; // of the patches
-                   for (const auto& members : model.shape->patches().members)
-                     regions.push_back(labels[members.front()]);
-                   plain.add(model, error(model, regions), regions);
+                   const auto trees = tables.of_model(model.number).trees();
+                   const auto labels = Patch_scores::refined_labels(
+                       model,
+                       WCS::internal::decide_segments(*model.shape, parameters, {}, {}, trees),
+                       parameters);
+                   scores.add(model, Patch_scores::rand_error_of_labels(model, labels), labels);
                  });
-  plain.print("default");
-  for (std::size_t i = 0; i < thresholds.size(); ++i)
-    fitted[i].print("threshold " + std::to_string(thresholds[i]));
+  scores.print(variant);
 }
 
 int run(const std::vector<std::string>& arguments)
 {
   const auto is = [&](const char* task, const std::size_t least)
   { return !arguments.empty() && arguments[0] == task && arguments.size() > least; };
-  if (is("names", 0))
-    for (const auto& name : WCS::internal::pair_feature_names())
-      std::cout << name.name << ' ' << name.monotone << '\n';
-  else if (is("prepare", 3))
+  const auto changed = [&](WCS::Parameters parameters)
   {
-    WCS::Parameters parameters;
     for (std::size_t i = 4; i < arguments.size(); ++i)
       Named_parameters::set_parameter(parameters, arguments[i]);
-    prepare(arguments[1], arguments[2], arguments[3], parameters);
-  }
-  else if (is("samples", 2))
-  {
-    const auto tables =
-        arguments.size() > 3 ? std::make_unique<Tree_tables>(arguments[3]) : nullptr;
-    samples(arguments[1], arguments[2], tables.get());
-  }
-  else if (is("score", 3) || is("score_cut", 3))
-  {
-    std::vector<double> thresholds;
-    for (std::size_t i = 3; i < arguments.size(); ++i)
-      thresholds.push_back(std::stod(arguments[i]));
-    score(arguments[1], Tree_tables(arguments[2]), thresholds, arguments[0] == "score_cut");
-  }
+    return parameters;
+  };
+  if (is("names", 0))
+    for (const char* name : WCS::internal::pair_feature_names()) std::cout << name << '\n';
+  else if (is("prepare", 3))
+    prepare(arguments[1], arguments[2], arguments[3], changed({}));
+  else if (is("samples", 3))
+    samples(arguments[1], arguments[2], arguments[3], changed({}));
+  else if (is("score", 3))
+    score(arguments[1], arguments[2], Tree_tables(arguments[3]),
+          changed(WCS::Parameters::fitted()));
   else
     throw std::invalid_argument("see the head of fit_merge_cost.cpp for the calls");
   return 0;

@@ -2,18 +2,19 @@
 # Copyright (c) 2026  The Weakly_convex_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Fits the merge cost of the `fitted` preset to labeled shapes and writes it as a header.
+"""Fits the probabilities of the `fitted` preset to labeled shapes and writes them as a header.
 
     fit_merge_cost.py PROGRAM DATA_DIR WORK_DIR [--header FILE] [--variants mesh,mesh:1,surface]
 
 PROGRAM is build/bin/fit_merge_cost, DATA_DIR holds off/ and seg/ as the Princeton benchmark has
-them. Needs Debian's python3-numpy and python3-xgboost. WORK_DIR keeps the analyzed models and the
-samples: remove it after a change of the stages before the merging. A variant is a name that the
-program knows, and with :N another seed of its patches and random choices.
+them. Needs Debian's python3-numpy and python3-xgboost. WORK_DIR keeps the samples: remove it after a
+change of the features or of the stages before them. A variant is a name that the program knows, and
+with :N another seed of its patches and random choices.
 
 Before the fit to all models, what it is worth is cross-validated twice (--protocols): `kinds` leaves
 out whole categories, so that a model is only ever scored by trees that saw no shape of its kind;
 `shapes` leaves out a fifth of each category, and tells what to expect on other shapes of these kinds.
+Scores are those of the whole pipeline, for each of --score with its seed.
 """
 
 import argparse
@@ -28,9 +29,9 @@ CATEGORIES = ["Human", "Cup", "Glasses", "Airplane", "Ant", "Chair", "Octopus", 
               "Hand", "Plier", "Fish", "Bird", "Armadillo", "Bust", "Mech", "Bearing", "Vase",
               "Fourleg"]
 FOLDS = {"kinds": 10, "shapes": 5}
-BAGS = 5
-BAGS_OF_FOLDS = 2  # for a figure in a fraction of the time
-TREES = 70
+TREES = 200
+VARIANTS = ("mesh:0,mesh:1,mesh:2,mesh:3,points:0,surface:0,half:1,one_view:1,two_views:0,"
+            "four_views:1,noisy_scan:0")
 
 
 def category(models):
@@ -38,9 +39,9 @@ def category(models):
     return np.where(run > 13, run - 1, run)
 
 
-def feature_names(program):
+def feature_count(program):
     text = subprocess.run([program, "names"], check=True, capture_output=True, text=True).stdout
-    return [line.split() for line in text.splitlines()]
+    return len(text.splitlines())
 
 
 def read_samples(path, features):
@@ -55,24 +56,25 @@ def fold_of(models, protocol):
     return ((models.astype(int) - 1) % 20 // 2 + kinds) % FOLDS[protocol]
 
 
-def train(samples, chosen, monotone, bags):
-    """returns the boosters of all bags, trained on the chosen rows."""
+def train(samples, chosen):
+    """returns the trees for the log odds that people put the two regions of a merge together."""
     models, weights, targets, x = samples
     weights = weights[chosen] * (chosen.sum() / weights[chosen].sum())
     data = xgboost.DMatrix(x[chosen], label=targets[chosen], weight=weights)
-    options = {"objective": "binary:logistic", "max_depth": 4, "eta": 0.1, "lambda": 5,
-               "subsample": 0.3, "colsample_bytree": 0.3, "base_score": 0.5, "nthread": 1,
-               "tree_method": "hist", "monotone_constraints": tuple(monotone)}
-    return [xgboost.train({**options, "seed": bag}, data, TREES) for bag in range(bags)]
+    options = {"objective": "reg:logistic", "grow_policy": "lossguide", "max_depth": 0,
+               "max_leaves": 12, "eta": 0.1, "lambda": 5, "min_child_weight": 2, "subsample": 0.5,
+               "colsample_bytree": 0.3, "base_score": 0.5, "nthread": 1, "tree_method": "hist",
+               "max_bin": 64}
+    return xgboost.train(options, data, TREES)
 
 
-def flat_tree(root, scale):
+def flat_tree(root):
     """returns (feature, child, value) of each node; the children of a node lie side by side."""
     nodes, queue = [None], [(0, root)]
     while queue:
         slot, node = queue.pop(0)
         if "leaf" in node:
-            nodes[slot] = (-1, 0, node["leaf"] * scale)
+            nodes[slot] = (-1, 0, node["leaf"])
             continue
         child = len(nodes)
         nodes += [None, None]
@@ -84,17 +86,16 @@ def flat_tree(root, scale):
     return nodes
 
 
-def flat_trees(boosters):
+def flat_trees(booster):
     roots, nodes = [], []
-    for booster in boosters:
-        for text in booster.get_dump(dump_format="json"):
-            roots.append(len(nodes))
-            nodes += flat_tree(json.loads(text), 1. / len(boosters))
+    for text in booster.get_dump(dump_format="json"):
+        roots.append(len(nodes))
+        nodes += flat_tree(json.loads(text))
     return roots, nodes
 
 
-def write_table(path, boosters):
-    roots, nodes = flat_trees(boosters)
+def write_table(path, booster):
+    roots, nodes = flat_trees(booster)
     with open(path, "w", encoding="ascii") as out:
         out.write(f"0 {len(roots)} {len(nodes)}\n" + " ".join(map(str, roots)) + "\n")
         for feature, child, value in nodes:
@@ -126,8 +127,8 @@ def short_node(feature, child, value):
     return f"{{{literal}}}" if feature < 0 else f"{{{literal},{feature},{child}}}"
 
 
-def write_header(path, boosters, comment):
-    roots, nodes = flat_trees(boosters)
+def write_header(path, booster, comment):
+    roots, nodes = flat_trees(booster)
     guard = "CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_LEARNED_COST_TABLE_H"
     with open(path, "w", encoding="ascii") as out:
         out.write("// Copyright (c) 2026  The Weakly_convex_segmentation authors.\n//\n"
@@ -155,35 +156,31 @@ def write_header(path, boosters, comment):
                   f"#endif // {guard}\n")
 
 
-def cross_validate(samples, monotone, protocol, folder):
+def cross_validate(samples, protocol, folder):
     """writes a table of trees a fold, and which model is to be judged by which."""
     folder.mkdir(parents=True, exist_ok=True)
     fold = fold_of(samples[0], protocol)
     for k in range(FOLDS[protocol]):
-        write_table(folder / f"{k}.txt", train(samples, fold != k, monotone, BAGS_OF_FOLDS))
+        write_table(folder / f"{k}.txt", train(samples, fold != k))
     models = np.unique(samples[0])
     with open(folder / "folds.txt", "w", encoding="ascii") as out:
         for model, k in zip(models, fold_of(models, protocol)):
             out.write(f"{int(model)} {k}\n")
 
 
-def saved_models(options, variant):
-    """returns the folder of the analyzed models of a variant, made if there is none."""
-    folder = options.work / variant.replace(":", "_")
-    if not (folder / "complete").exists():
-        name, _, seed = variant.partition(":")
-        subprocess.run([options.program, "prepare", options.data, name, str(folder),
-                        f"seed={seed or 0}"], check=True)
-        (folder / "complete").touch()
-    return folder
+def call(options, task, variant, path):
+    name, _, seed = variant.partition(":")
+    subprocess.run([options.program, task, options.data, name, str(path), f"seed={seed or 0}"],
+                   check=True)
 
 
-def samples_of(options, variant, features, tables=None):
-    folder = saved_models(options, variant)
-    path = folder / ("samples1.bin" if tables is None else "samples2.bin")
+def samples_of(options, variant, features):
+    path = options.work / (variant.replace(":", "_") + ".bin")
     if not path.exists():
-        subprocess.run([options.program, "samples", str(folder), str(path),
-                        *([str(tables)] if tables else [])], check=True)
+        options.work.mkdir(parents=True, exist_ok=True)
+        unfinished = path.with_suffix(".part")
+        call(options, "samples", variant, unfinished)
+        unfinished.rename(path)
     return read_samples(path, features)
 
 
@@ -200,33 +197,22 @@ def main():
     parser.add_argument("data")
     parser.add_argument("work", type=pathlib.Path)
     parser.add_argument("--header", type=pathlib.Path)
-    parser.add_argument("--passes", type=int, default=1, help="2: also pairs on the trees' own path")
-    parser.add_argument("--variants", default="mesh,mesh:1,surface,four_views")
+    parser.add_argument("--variants", default=VARIANTS)
     parser.add_argument("--protocols", default="kinds,shapes")
-    parser.add_argument("--score", default="mesh", help="variants that are scored")
-    parser.add_argument("--thresholds", default="0.56,0.6,0.64,0.68")
+    parser.add_argument("--score", default="mesh:0,mesh:3", help="variants that are scored")
     options = parser.parse_args()
-    names = feature_names(options.program)
-    monotone = [int(direction) for _, direction in names]
-    variants = options.variants.split(",")
-    parts = [samples_of(options, v, len(names)) for v in variants]
-    if options.passes > 1:
-        tables = options.work / "tables_path"
-        cross_validate(joined(parts), monotone, "kinds", tables)
-        parts += [samples_of(options, v, len(names), tables) for v in variants]
-    samples = joined(parts)
+    features = feature_count(options.program)
+    samples = joined([samples_of(options, v, features) for v in options.variants.split(",")])
     print(len(samples[0]), "samples", flush=True)
     for protocol in filter(None, options.protocols.split(",")):
         tables = options.work / f"tables_{protocol}"
-        cross_validate(samples, monotone, protocol, tables)
-        for variant in options.score.split(","):
-            print(f"cross-validated over {protocol}, {variant}, borders refined", flush=True)
-            subprocess.run([options.program, "score_cut", str(saved_models(options, variant)),
-                            str(tables), *options.thresholds.split(",")], check=True)
+        cross_validate(samples, protocol, tables)
+        for variant in filter(None, options.score.split(",")):
+            print(f"cross-validated over {protocol}, {variant}", flush=True)
+            call(options, "score", variant, tables)
     if options.header:
-        boosters = train(samples, np.ones(len(samples[0]), dtype=bool), monotone, BAGS)
-        write_header(options.header, boosters,
-                     f"from {len(samples[0])} pairs of regions of labeled shapes.")
+        write_header(options.header, train(samples, np.ones(len(samples[0]), dtype=bool)),
+                     f"from {len(samples[0])} merges of regions of labeled shapes.")
 
 
 if __name__ == "__main__":

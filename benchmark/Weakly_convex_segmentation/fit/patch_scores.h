@@ -47,13 +47,13 @@ struct Model
 
 inline double pairs(const double n) { return 0.5 * n * (n - 1.); }
 
-/// counts what the scores need, once shape and people's labels are there.
-inline void count_patches(Model& model)
+/// counts what the scores need in one of the sets of patches, once shape and people's labels are there.
+inline void count_patches(Model& model, const std::size_t set = 0)
 {
-  const std::vector<int> patches =
-      WCS::internal::element_patches(*model.shape, model.shape->patches().of_point);
+  const WCS::internal::Patches& of_set = model.shape->patch_sets[set].patches;
+  const std::vector<int> patches = WCS::internal::element_patches(*model.shape, of_set.of_point);
   model.elements = static_cast<double>(patches.size());
-  model.patch_sizes.assign(model.shape->patches().size(), 0.);
+  model.patch_sizes.assign(of_set.size(), 0.);
   for (const int p : patches) model.patch_sizes[static_cast<std::size_t>(p)] += 1.;
   for (Annotator& annotator : model.annotators)
   {
@@ -69,10 +69,9 @@ inline void count_patches(Model& model)
   }
 }
 
-inline Model load(const std::filesystem::path& data, const int number, WCS::Parameters parameters,
-                  const Variant variant = Variant::MESH)
+inline Model load(const std::filesystem::path& data, const int number,
+                  const WCS::Parameters& parameters, const Variant variant = Variant::MESH)
 {
-  parameters.number_of_patch_sets = 1; // a cost is judged by what it makes of one
   const SM::Mesh mesh = SM::read_off(data / "off" / (std::to_string(number) + ".off"));
   const auto shape = Shape_variants::make_variant(
       mesh, variant, static_cast<unsigned int>(number) + 1000 * parameters.seed);
@@ -131,16 +130,15 @@ inline double rand_error(const Model& model, const std::vector<int>& region_of_p
                     });
 }
 
-/// returns the labels of the elements after the borders were refined.
-inline std::vector<int> refined_labels(const Model& model, const std::vector<int>& region_of_patch,
+/// returns the labels of the elements after the borders of the representatives' were refined.
+inline std::vector<int> refined_labels(const Model& model, std::vector<int> labels,
                                        const WCS::Parameters& parameters)
 {
-  std::vector<int> labels;
-  for (const int p : model.shape->patches().of_point)
-    labels.push_back(region_of_patch[static_cast<std::size_t>(p)]);
   WCS::internal::refine_borders(model.shape->graph, parameters, labels);
-  return WCS::internal::element_labels(
+  std::vector<int> of_elements = WCS::internal::element_labels(
       model.shape->input, WCS::internal::carry_labels(*model.shape, labels, parameters, {}));
+  WCS::internal::number_labels(of_elements);
+  return of_elements;
 }
 
 /// 1 - Rand Index of labels of the elements, the mean over the model's people.

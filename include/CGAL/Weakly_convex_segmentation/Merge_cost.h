@@ -43,7 +43,7 @@ public:
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// The cost of the preset `Parameters::fitted()`: the probability that people cut between two regions.
+/// The probability that people cut between two regions, by the trees of the preset `Parameters::fitted()`.
 ///
 /// \cgalModels `WeaklyConvexSegmentationMergeCost`
 class Learned_merge_cost

@@ -17,23 +17,12 @@
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Pair_features.h>
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Region_graph.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// returns how clearly the hand-made cost, the last feature, speaks for the merge; in [-1, 1]. Trees
-/// alone err on kinds of shape that they never saw; with the prior they do so less.
-inline double prior_score(const std::vector<float>& features)
-{
-  constexpr double threshold = 1.43, certain = 0.5;
-  const double vote = (threshold - static_cast<double>(features.back())) / certain;
-  return (std::max)(-1., (std::min)(1., vote));
-}
 
 /// The cost of a pair: one minus the probability that people put it in one part.
 class Learned_cost
@@ -45,11 +34,10 @@ public:
   double operator()(const int a, const int b) const
   {
     m_features.compute(a, b, m_values);
-    return 1. / (1. + std::exp(m_trees(m_values) + prior_weight * prior_score(m_values)));
+    return 1. / (1. + std::exp(m_trees(m_values)));
   }
 
 private:
-  static constexpr double prior_weight = 0.75;
   Pair_features& m_features;
   const Boosted_trees& m_trees;
   mutable std::vector<float> m_values; // kept between calls, against an allocation each
