@@ -168,6 +168,23 @@ BOOST_AUTO_TEST_CASE(clusters_are_linked_by_the_mean_over_their_points)
   BOOST_CHECK(are_one_partition(consensus_labels({chain}, 0.9, 11.), runs({{0, 30}})));
 }
 
+BOOST_AUTO_TEST_CASE(what_was_linked_early_moves_to_where_it_is_more_at_home)
+{
+  // linkage joins the first two and the last two, whose means are then 0.35; the second one gains 0.2 + 0.2
+  // with the last two, and 0.3 with the first
+  const Votes votes = votes_of_matrix(
+      {{1., 0.8, 0., 0.}, {0.8, 1., 0.7, 0.7}, {0., 0.7, 1., 0.7}, {0., 0.7, 0.7, 1.}});
+  const Labels labels = runs({{0, 10}, {1, 30}});
+  BOOST_CHECK(are_one_partition(consensus_labels({votes}, 0.5, 0.), labels));
+  BOOST_CHECK(are_one_partition(consensus_labels({votes, votes, votes}, 0.5, 0.), labels));
+  std::vector<int> clusters = {0, 0, 0, 3}; // a class that fits nowhere is a cluster of its own
+  const std::vector<std::map<int, double>> together = {{{1, 0.9}}, {{0, 0.9}}, {}, {}};
+  const std::vector<double> sizes(4, 1.);
+  Class_moves(sizes, together, 0.5, clusters).run();
+  BOOST_CHECK(clusters[0] == clusters[1]);
+  BOOST_CHECK(clusters[2] != clusters[0] && clusters[2] != clusters[3]);
+}
+
 BOOST_AUTO_TEST_CASE(a_tree_votes_by_the_merge_that_joins_two_regions)
 {
   Judged_merges tree;

@@ -13,6 +13,7 @@
 // with it whether a part is found that is hardly one. Segmentations from several sets of patches err
 // independently of each other, so most of them are right more often than each of them.
 
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/local_search.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 
@@ -84,6 +85,17 @@ public:
     }
   }
 
+  /// makes clusters of the classes that have one number, each still alone.
+  void merge_as(const std::vector<int>& numbers)
+  {
+    std::map<int, int> first;
+    for (int c = 0; c < static_cast<int>(numbers.size()); ++c)
+    {
+      const auto [it, is_new] = first.emplace(numbers[c], c);
+      if (!is_new) merge(it->second, c);
+    }
+  }
+
   /// merges clusters, those of highest agreement first, while two points of different clusters are
   /// together in more than the share `least` of the segmentations, on average.
   void merge_down_to(const double least)
@@ -115,6 +127,9 @@ public:
       if (best.second >= 0) merge(best.second, c);
     }
   }
+
+  /// pairs of points of two clusters that are together, summed over the votes
+  const std::vector<std::map<int, double>>& together() const { return m_together; }
 
   /// cluster of a class, named by one of its classes
   int cluster_of(const int c) const { return m_clusters.name_of(c); }
@@ -177,6 +192,20 @@ private:
   std::priority_queue<Candidate> m_queue;
 };
 
+/// returns the consensus after a local search from one that was linked.
+inline Consensus with_moves(const Overlay& classes, const std::vector<Votes>& votes,
+                            const double least, const Consensus& linked)
+{
+  std::vector<int> clusters;
+  for (int c = 0; c < static_cast<int>(classes.sizes.size()); ++c)
+    clusters.push_back(linked.cluster_of(c));
+  Consensus result(classes, votes);
+  Class_moves(classes.sizes, result.together(), least * static_cast<double>(votes.size()), clusters)
+      .run();
+  result.merge_as(clusters);
+  return result;
+}
+
 /// returns the labels that the votes agree on, one a point, from 0 on but with gaps. Two points of different
 /// segments are together with a probability of no more than `least`, on average. Segments of fewer than
 /// `minimum_size` points join the one that they agree with most.
@@ -189,6 +218,9 @@ inline std::vector<int> consensus_labels(const std::vector<Votes>& votes, const 
   const Overlay classes = overlay(votes);
   Consensus agreement(classes, votes);
   agreement.merge_down_to(least);
+  const bool are_cuts = votes.front().together.empty();
+  // where a majority of cuts decides, the search gains nothing
+  if (!are_cuts) agreement = with_moves(classes, votes, least, agreement);
   agreement.absorb_smaller_than(minimum_size);
   std::vector<int> labels;
   labels.reserve(classes.of_point.size());
