@@ -202,6 +202,10 @@ struct Merging_parameters
   Fusion_rule fusion = Fusion_rule::EVERY_PAIR; ///< `Merging_rule::PAPER`: what must exceed theta
   /// regions under this share of the points are given to their best neighbor at the end; `[0, 1]`
   double minimum_segment_share = 0.0078;
+  /// What one side of a shape has, the other one gets: if there is a plane of reflection, from which the mirrored
+  /// points are at most so far from the surface on average, relative to the extent, both sides are decided together;
+  /// `[0, 1]`, 0: never
+  double symmetry_tolerance = 0.008;
   /// The contraction goes on until there are at most so many segments; 0: no limit; `[0, 1e9]`. It does not
   /// make more segments than there would be without.
   std::size_t maximum_number_of_segments = 0;
@@ -269,6 +273,7 @@ inline Parameters Parameters::paper()
   p.merging_threshold = 0.12;      // sigma
   p.diameter_cone_angle = 20.;     // alpha = 2 pi / 18, read as the full opening
   p.minimum_segment_share = 0.;
+  p.symmetry_tolerance = 0.;
   p.band_width = 0.015; // silent: "a narrow band"
   return p;
 }
@@ -326,6 +331,7 @@ void for_each_parameter(Parameters_& p, const Function& f)
   f("fusion_thresholds", p.fusion_thresholds, 0., 1.);
   f("fusion", p.fusion, 0., 1.);
   f("minimum_segment_share", p.minimum_segment_share, 0., 1.);
+  f("symmetry_tolerance", p.symmetry_tolerance, 0., 1.);
   f("maximum_number_of_segments", p.maximum_number_of_segments, 0., 1e9);
 
   f("refinement", p.refinement, 0., 2.);

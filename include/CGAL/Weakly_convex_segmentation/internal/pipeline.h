@@ -16,6 +16,7 @@
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/mirror.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
@@ -53,6 +54,17 @@ inline Votes votes_of_set(const Shape_analysis& shape, const Patch_set& set,
                          set.patches.of_point);
 }
 
+/// The share of cuts that have to put two points together: no tie of few votes. Three of five are more, two are less.
+constexpr double least_share_of_cuts = 0.45;
+
+/// returns where the shape's plane of reflection takes its points, if it has one.
+inline Mirror mirror_of(const Shape_analysis& shape, const Parameters& parameters,
+                        const bool parallel)
+{
+  if (parameters.symmetry_tolerance == 0.) return {};
+  return find_mirror(shape.points(), shape.graph.spacing, parameters.symmetry_tolerance, parallel);
+}
+
 /// returns the segment of each representative: what the sets of patches agree on. The borders of each set's
 /// regions are refined first, else the consensus would have those of many patches.
 inline std::vector<int> decide_segments(const Shape_analysis& shape, const Parameters& parameters,
@@ -69,10 +81,12 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   parallel_for(sets, control.parallel, decide, 1);
   const bool are_cuts = votes.front().together.empty();
   if (sets == 1 && are_cuts) return std::move(votes.front().labels);
-  // two of three: 2/3; classes that one of three joins to each other, 1/3, stay apart
-  const double least = are_cuts ? 0.4 : 1. - parameters.merging_threshold;
-  return consensus_labels(
-      votes, least, parameters.minimum_segment_share * static_cast<double>(shape.points().size()));
+  const Mirror mirror = mirror_of(shape, parameters, control.parallel);
+  const double least = are_cuts ? least_share_of_cuts : 1. - parameters.merging_threshold;
+  return consensus_labels(std::move(votes), least,
+                          parameters.minimum_segment_share *
+                              static_cast<double>(shape.points().size()),
+                          mirror.image);
 }
 
 /// refines the borders and carries the labels to the input.

@@ -15,11 +15,15 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/local_search.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -57,39 +61,75 @@ inline Overlay overlay(const std::vector<Votes>& votes)
   return result;
 }
 
-/// Clusters of the classes of an overlay, by the share of the votes that have two points of them
-/// together, on average over the points: sums of pairs of points add up under merging.
-class Consensus
+/// returns how many pairs of points of each two classes are together, a mean over the votes.
+inline Eigen::MatrixXd pairs_together(const Overlay& classes, const std::vector<Votes>& votes)
 {
-public:
-  Consensus(const Overlay& classes, const std::vector<Votes>& votes)
-    : m_runs(static_cast<double>(votes.size())), m_sizes(classes.sizes),
-      m_clusters(classes.sizes.size()), m_together(classes.sizes.size()),
-      m_age(classes.sizes.size(), 0)
+  const auto count = static_cast<Eigen::Index>(classes.sizes.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
+  for (std::size_t s = 0; s < votes.size(); ++s)
   {
-    for (std::size_t s = 0; s < votes.size(); ++s)
+    std::map<int, std::vector<int>> of_region;
+    for (int c = 0; c < static_cast<int>(count); ++c) of_region[classes.labels[c][s]].push_back(c);
+    const auto add =
+        [&](const std::vector<int>& first, const std::vector<int>& second, const double probability)
     {
-      std::map<int, std::vector<int>> of_region;
-      for (std::size_t c = 0; c < m_sizes.size(); ++c)
-        of_region[classes.labels[c][s]].push_back(static_cast<int>(c));
-      for (const auto& [region, members] : of_region)
+      for (const int a : first)
+        for (const int b : second) result(a, b) += probability;
+    };
+    for (const auto& [region, members] : of_region)
+    {
+      add(members, members, 1.);
+      if (votes[s].together.empty()) continue;
+      for (const auto& [other, probability] : votes[s].together[region])
       {
-        add(members, members, 1.);
-        if (votes[s].together.empty()) continue;
-        for (const auto& [other, probability] : votes[s].together[region])
-        {
-          const auto found = of_region.find(other); // refined borders may leave a region no point
-          if (found != of_region.end()) add(members, found->second, probability);
-        }
+        const auto found = of_region.find(other); // refined borders may leave a region no point
+        if (found != of_region.end()) add(members, found->second, probability);
       }
     }
   }
+  const Eigen::Map<const Eigen::VectorXd> sizes(classes.sizes.data(), count);
+  return (result.array().colwise() * sizes.array()).rowwise() * sizes.transpose().array() /
+         static_cast<double>(votes.size());
+}
+
+/// returns where the mirror images of the points of each class lie: how many of a row's class in a column's. It is
+/// empty if there are no images.
+inline Eigen::MatrixXd mirrored_classes(const Overlay& classes, const std::vector<Index>& image)
+{
+  const auto count = image.empty() ? 0 : static_cast<Eigen::Index>(classes.sizes.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
+  for (std::size_t i = 0; i < image.size(); ++i)
+    result(classes.of_point[i], classes.of_point[image[i]]) += 1.;
+  return result;
+}
+
+/// adds a row and a column of a square matrix to others.
+inline void merge_rows_and_columns(Eigen::MatrixXd& matrix, const int into, const int from)
+{
+  if (matrix.size() == 0) return;
+  matrix.row(into) += matrix.row(from);
+  matrix.col(into) += matrix.col(from);
+  matrix.row(from).setZero();
+  matrix.col(from).setZero();
+}
+
+/// Clusters of the classes of an overlay, by the share of the votes that have two points of them
+/// together, on average over the points: pairs of points add up under merging.
+///
+/// Where the shape is its own mirror image, two clusters and their images are merged both or not at all.
+class Consensus
+{
+public:
+  Consensus(std::vector<double> sizes, Eigen::MatrixXd together, Eigen::MatrixXd mirrored)
+    : m_sizes(std::move(sizes)), m_clusters(m_sizes.size()), m_together(std::move(together)),
+      m_mirrored(std::move(mirrored)), m_age(m_sizes.size(), 0)
+  {}
 
   /// makes clusters of the classes that have one number, each still alone.
   void merge_as(const std::vector<int>& numbers)
   {
     std::map<int, int> first;
-    for (int c = 0; c < static_cast<int>(numbers.size()); ++c)
+    for (int c = 0; c < size(); ++c)
     {
       const auto [it, is_new] = first.emplace(numbers[c], c);
       if (!is_new) merge(it->second, c);
@@ -97,51 +137,54 @@ public:
   }
 
   /// merges clusters, those of highest agreement first, while two points of different clusters are
-  /// together in more than the share `least` of the segmentations, on average.
+  /// together in more than the share `least` of the votes, on average.
   void merge_down_to(const double least)
   {
-    for (int a = 0; a < static_cast<int>(m_sizes.size()); ++a) consider(a, least, true);
+    for (int a = 0; a < size(); ++a) consider(a, least, a + 1);
     while (!m_queue.empty())
     {
       const Candidate best = m_queue.top();
       m_queue.pop();
       if (m_age[best.a] != best.age_a || m_age[best.b] != best.age_b) continue;
+      const auto [first, second] = mirror_images(best.a, best.b);
+      if (!may_merge_with_image(best, first, second, least)) continue;
       merge(best.a, best.b);
-      consider(best.a, least, false);
+      consider(best.a, least);
+      const int c = cluster_of(first), d = cluster_of(second);
+      if (c == d || m_together(c, d) <= 0.) continue;
+      merge(c, d);
+      consider(c, least);
     }
   }
 
   /// gives clusters of fewer points, smallest first, to the one that they agree with most.
-  void absorb_smaller_than(const double size)
+  void absorb_smaller_than(const double least_size)
   {
-    std::vector<int> by_size;
-    for (int c = 0; c < static_cast<int>(m_sizes.size()); ++c) by_size.push_back(c);
+    std::vector<int> by_size(m_sizes.size());
+    std::iota(by_size.begin(), by_size.end(), 0);
     std::stable_sort(by_size.begin(), by_size.end(),
                      [this](const int a, const int b) { return m_sizes[a] < m_sizes[b]; });
     for (const int c : by_size)
     {
-      if (cluster_of(c) != c || m_sizes[c] >= size) continue;
+      if (cluster_of(c) != c || m_sizes[c] >= least_size) continue;
       std::pair<double, int> best(0., -1);
-      for (const auto& [other, together] : m_together[c])
-        best = (std::max)(best, {together / m_sizes[other], other});
+      for (int other = 0; other < size(); ++other)
+        if (other != c && cluster_of(other) == other && m_together(c, other) > 0.)
+          best = (std::max)(best, {m_together(c, other) / m_sizes[other], other});
       if (best.second >= 0) merge(best.second, c);
     }
   }
 
-  /// pairs of points of two clusters that are together, summed over the votes
-  const std::vector<std::map<int, double>>& together() const { return m_together; }
-
   /// cluster of a class, named by one of its classes
   int cluster_of(const int c) const { return m_clusters.name_of(c); }
-
-private:
-  void add(const std::vector<int>& first, const std::vector<int>& second, const double probability)
+  std::vector<int> clusters() const
   {
-    for (const int a : first)
-      for (const int b : second)
-        if (a != b) m_together[a][b] += probability * (m_sizes[a] * m_sizes[b]);
+    std::vector<int> result;
+    for (int c = 0; c < size(); ++c) result.push_back(cluster_of(c));
+    return result;
   }
 
+private:
   struct Candidate
   {
     double share, pairs;
@@ -155,76 +198,110 @@ private:
     }
   };
 
-  void consider(const int a, const double least, const bool only_higher)
+  int size() const { return static_cast<int>(m_sizes.size()); }
+
+  void consider(const int a, const double least, const int first = 0)
   {
-    for (const auto& [b, together] : m_together[a])
+    for (int b = first; b < size(); ++b)
     {
-      const double pairs = m_sizes[a] * m_sizes[b], share = together / (m_runs * pairs);
-      if (share <= least || (only_higher && b < a)) continue;
+      const double pairs = m_sizes[a] * m_sizes[b];
+      if (b == a || m_together(b, a) <= least * pairs) continue; // 0 where it is merged
       const int low = (std::min)(a, b), high = (std::max)(a, b);
-      m_queue.push({share, pairs, low, high, m_age[low], m_age[high]});
+      m_queue.push({m_together(b, a) / pairs, pairs, low, high, m_age[low], m_age[high]});
     }
+  }
+
+  /// returns the cluster where most of the mirror images of a cluster's points lie, if it is about as large; else
+  /// the cluster itself.
+  int mirror_image(const int a) const
+  {
+    constexpr double most_ratio = 1.7;
+    Eigen::Index best = 0;
+    if (m_mirrored.row(a).maxCoeff(&best) <= 0.5 * m_sizes[a]) return a;
+    const double ratio = m_sizes[static_cast<std::size_t>(best)] / m_sizes[a];
+    return ratio < most_ratio && 1. < most_ratio * ratio ? static_cast<int>(best) : a;
+  }
+  /// returns the images of two clusters if they are another pair; else a cluster twice.
+  std::pair<int, int> mirror_images(const int a, const int b) const
+  {
+    if (m_mirrored.size() == 0) return {a, a};
+    const int c = mirror_image(a), d = mirror_image(b);
+    return std::minmax(a, b) == std::minmax(c, d) ? std::make_pair(a, a) : std::make_pair(c, d);
+  }
+
+  /// Where a pair and its images c and d share a cluster, the second merge has to be one that is made after the first.
+  bool may_merge_with_image(const Candidate& merge, const int c, const int d,
+                            const double least) const
+  {
+    const bool has_c = c == merge.a || c == merge.b, has_d = d == merge.a || d == merge.b;
+    if (has_c == has_d) return true;
+    const int other = has_c ? d : c;
+    const double pairs = (m_sizes[merge.a] + m_sizes[merge.b]) * m_sizes[other];
+    return m_together(merge.a, other) + m_together(merge.b, other) > least * pairs;
   }
 
   /// merges `b` into `a`.
   void merge(const int a, const int b)
   {
-    for (const auto& [c, together] : m_together[b])
-    {
-      m_together[c].erase(b);
-      if (c == a) continue;
-      m_together[a][c] += together;
-      m_together[c][a] = m_together[a][c];
-    }
-    m_together[b].clear();
+    merge_rows_and_columns(m_together, a, b);
+    merge_rows_and_columns(m_mirrored, a, b);
     m_sizes[a] += m_sizes[b];
     m_clusters.join_named(a, b);
     ++m_age[a];
     ++m_age[b];
   }
 
-  double m_runs;                 ///< number of votes
   std::vector<double> m_sizes;   ///< points in each cluster
   Disjoint_sets<int> m_clusters; ///< of classes
-  /// pairs of points of two clusters that are together, summed over the votes
-  std::vector<std::map<int, double>> m_together;
+  Eigen::MatrixXd
+      m_together; ///< pairs of points of two clusters that are together, a mean over the votes
+  Eigen::MatrixXd
+      m_mirrored; ///< points of a row's cluster whose mirror images lie in a column's; or empty
   std::vector<std::size_t> m_age;
   std::priority_queue<Candidate> m_queue;
 };
 
-/// returns the consensus after a local search from one that was linked.
-inline Consensus with_moves(const Overlay& classes, const std::vector<Votes>& votes,
-                            const double least, const Consensus& linked)
+/// returns the votes and, where points have mirror images, the same votes about these.
+inline std::vector<Votes> with_mirrored(std::vector<Votes> votes, const std::vector<Index>& image)
 {
-  std::vector<int> clusters;
-  for (int c = 0; c < static_cast<int>(classes.sizes.size()); ++c)
-    clusters.push_back(linked.cluster_of(c));
-  Consensus result(classes, votes);
-  Class_moves(classes.sizes, result.together(), least * static_cast<double>(votes.size()), clusters)
-      .run();
-  result.merge_as(clusters);
-  return result;
+  const std::size_t count = image.empty() ? 0 : votes.size();
+  for (std::size_t s = 0; s < count; ++s)
+  {
+    Votes mirrored = votes[s];
+    for (std::size_t i = 0; i < image.size(); ++i) mirrored.labels[i] = votes[s].labels[image[i]];
+    votes.push_back(std::move(mirrored));
+  }
+  return votes;
 }
 
 /// returns the labels that the votes agree on, one a point, from 0 on but with gaps. Two points of different
 /// segments are together with a probability of no more than `least`, on average. Segments of fewer than
-/// `minimum_size` points join the one that they agree with most.
+/// `minimum_size` points join the one that they agree with most. `image`: the point that each point's mirror image
+/// is nearest to, if the shape has a plane of reflection.
 ///
-/// Complexity: linear in the number of points, besides O(m^2 log m) for m classes that overlap in a
-/// segment.
-inline std::vector<int> consensus_labels(const std::vector<Votes>& votes, const double least,
-                                         const double minimum_size)
+/// Complexity: linear in the number of points, besides O(m^2 log m) for m classes of the overlay.
+inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double least,
+                                         const double minimum_size,
+                                         const std::vector<Index>& image = {})
 {
-  const Overlay classes = overlay(votes);
-  Consensus agreement(classes, votes);
-  agreement.merge_down_to(least);
   const bool are_cuts = votes.front().together.empty();
-  // where a majority of cuts decides, the search gains nothing
-  if (!are_cuts) agreement = with_moves(classes, votes, least, agreement);
+  votes = with_mirrored(std::move(votes), image);
+  const Overlay classes = overlay(votes);
+  const Eigen::MatrixXd together = pairs_together(classes, votes);
+  Consensus agreement(classes.sizes, together, mirrored_classes(classes, image));
+  agreement.merge_down_to(least);
+  if (!are_cuts) // where a majority of cuts decides, the search gains nothing
+  {
+    std::vector<int> clusters = agreement.clusters();
+    Class_moves(classes.sizes, together, least, clusters).run();
+    agreement = Consensus(classes.sizes, together, {});
+    agreement.merge_as(clusters);
+  }
   agreement.absorb_smaller_than(minimum_size);
+  const std::vector<int> clusters = agreement.clusters();
   std::vector<int> labels;
   labels.reserve(classes.of_point.size());
-  for (const int c : classes.of_point) labels.push_back(agreement.cluster_of(c));
+  for (const int c : classes.of_point) labels.push_back(clusters[c]);
   return labels;
 }
 

@@ -12,6 +12,8 @@
 // A better partition near a given one: what linkage has joined early it does not part again, though its
 // classes may turn out to be more at home in a cluster that came later.
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -26,9 +28,9 @@ class Class_moves
 {
 public:
   /// takes the number of points of each class, what it is together with the others, summed over pairs of
-  /// points (symmetric; absent: 0), and its cluster, in numbers from 0 to the number of classes.
-  Class_moves(const std::vector<double>& sizes, const std::vector<std::map<int, double>>& together,
-              const double least, std::vector<int>& clusters)
+  /// points, and its cluster, in numbers from 0 to the number of classes.
+  Class_moves(const std::vector<double>& sizes, const Eigen::MatrixXd& together, const double least,
+              std::vector<int>& clusters)
     : m_sizes(sizes), m_together(together), m_least(least), m_clusters(clusters),
       m_cluster_sizes(sizes.size(), 0.)
   {
@@ -58,7 +60,8 @@ private:
   int best_cluster(const int i) const
   {
     std::map<int, double> with;
-    for (const auto& [j, together] : m_together[i]) with[m_clusters[j]] += together;
+    for (int j = 0; j < static_cast<int>(m_clusters.size()); ++j)
+      if (j != i) with[m_clusters[j]] += m_together(j, i);
     const int own = m_clusters[i];
     const auto gain = [&](const int cluster, const double others)
     { return with[cluster] - m_least * m_sizes[i] * others; };
@@ -84,7 +87,7 @@ private:
   }
 
   const std::vector<double>& m_sizes;
-  const std::vector<std::map<int, double>>& m_together;
+  const Eigen::MatrixXd& m_together;
   double m_least;
   std::vector<int>& m_clusters;
   std::vector<double> m_cluster_sizes; ///< points in each
