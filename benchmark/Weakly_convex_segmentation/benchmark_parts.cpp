@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures whether parts look right, without a person's labels to compare with: whether they are the same on
-// both sides of a symmetric shape, and how straight their borders run.
+// both sides of a symmetric shape, how straight their borders run, and how many are bands, rings, strips or
+// slivers.
 
 #include "io/read_shape.h"
 #include "metrics/princeton_benchmark.h"
@@ -10,7 +11,10 @@
 #include "parts/Sampled_surface.h"
 #include "parts/asymmetry.h"
 #include "parts/border_lines.h"
+#include "parts/overcutting.h"
+#include "parts/part_pieces.h"
 #include "parts/part_report.h"
+#include "parts/surface_diameters.h"
 
 #include <boost/program_options.hpp>
 
@@ -186,6 +190,7 @@ std::vector<PM::Labeling_row> measure(const Labeled_mesh& model)
   const SM::Mesh_geometry geometry = SM::compute_mesh_geometry(model.mesh);
   const PM::Sampled_surface surface(model.mesh);
   const std::optional<PM::Mirror_image> image = PM::find_mirror_image(surface);
+  const std::vector<PM::Diameter_sample> diameters = PM::sample_diameters(surface);
   std::vector<PM::Labeling_row> rows;
   for (const Named_labels& named : model.labels)
   {
@@ -196,7 +201,10 @@ std::vector<PM::Labeling_row> measure(const Labeled_mesh& model)
     row.labels = named.name;
     row.parts = labels.number_of_parts;
     if (image) row.asymmetry = PM::asymmetry(*image, labels);
-    row.borders = PM::measure_borders(model.mesh, geometry, surface, labels);
+    const PM::Borders borders = PM::find_borders(model.mesh, geometry, labels);
+    row.borders = PM::measure_borders(surface, borders);
+    row.overcuts = PM::find_overcuts(PM::find_pieces(geometry, surface, borders, diameters, labels),
+                                     diameters);
     rows.push_back(std::move(row));
   }
   return rows;

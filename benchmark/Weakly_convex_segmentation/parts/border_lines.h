@@ -8,18 +8,40 @@
 #include "parts/Part_labels.h"
 #include "parts/Sampled_surface.h"
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>
 
-// How straight the borders of the parts run, and whether along creases: the edges between faces of
-// different parts, as lines in space.
+// The borders of the parts as lines in space, the edges between faces of different parts: how straight they
+// run, and whether along creases.
 
 namespace Part_measures {
+
+/// An edge between two parts: its ends among the vertices of the borders, and its faces.
+struct Border_edge
+{
+  std::array<std::size_t, 2> vertices;
+  SM::Face_adjacency mesh_edge;
+};
+
+/// The borders as a graph, where they are and where they would be without their zigzag.
+struct Borders
+{
+  std::vector<Border_edge> edges;
+  std::vector<Vector> positions, smooth_positions;
+  std::vector<std::vector<std::size_t>> neighbors; ///< of the vertices
+
+  double length(const Border_edge& e) const
+  {
+    return (positions[e.vertices[0]] - positions[e.vertices[1]]).norm();
+  }
+  double smooth_length(const Border_edge& e) const
+  {
+    return (smooth_positions[e.vertices[0]] - smooth_positions[e.vertices[1]]).norm();
+  }
+};
 
 /// Sums, so that several labelings of a mesh can be added up.
 struct Border_sums
@@ -43,52 +65,8 @@ struct Border_sums
 
 namespace internal {
 
-constexpr double degrees = 180. / 3.14159265358979323846;
-
-/// The border edges as a graph of their vertices.
-struct Border_graph
-{
-  std::vector<Vector> positions;
-  std::vector<std::vector<std::size_t>> neighbors;
-
-  double length() const
-  {
-    double sum = 0.;
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      for (const std::size_t w : neighbors[v])
-        if (v < w) sum += (positions[v] - positions[w]).norm();
-    return sum;
-  }
-};
-
-/// Numbers the vertices as they come.
-class Border_graph_builder
-{
-public:
-  explicit Border_graph_builder(const SM::Mesh& mesh) : m_mesh(mesh) {}
-  void add_edge(const std::size_t v, const std::size_t w)
-  {
-    const std::size_t i = number(v), j = number(w);
-    m_graph.neighbors[i].push_back(j);
-    m_graph.neighbors[j].push_back(i);
-  }
-  const Border_graph& graph() const { return m_graph; }
-
-private:
-  std::size_t number(const std::size_t vertex)
-  {
-    const auto [it, is_new] = m_numbers.emplace(vertex, m_graph.positions.size());
-    if (is_new)
-    {
-      m_graph.positions.push_back(vector(m_mesh.points[vertex]));
-      m_graph.neighbors.emplace_back();
-    }
-    return it->second;
-  }
-  const SM::Mesh& m_mesh;
-  std::unordered_map<std::size_t, std::size_t> m_numbers;
-  Border_graph m_graph;
-};
+constexpr double pi = 3.14159265358979323846;
+constexpr double degrees = 180. / pi;
 
 /// the angle between two directions in degrees, 0 if one of them has no length
 inline double angle_between(const Vector& a, const Vector& b)
@@ -96,58 +74,79 @@ inline double angle_between(const Vector& a, const Vector& b)
   return degrees * std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// whether the surface is hollow along the edge of two faces, by more than ten degrees
-inline bool is_concave(const Sampled_surface& surface, const SM::Face_adjacency& edge)
+/// by how much the surface turns at the edge of two faces, in degrees: negative where it is hollow
+inline double fold(const Sampled_surface& surface, const SM::Face_adjacency& edge)
 {
-  constexpr double least_angle = 10.;
   const auto [f, g] = edge.faces;
   const Vector &m = surface.normal(f), &n = surface.normal(g);
-  return (n - m).dot(surface.centroid(g) - surface.centroid(f)) < 0. &&
-         angle_between(m, n) > least_angle;
+  const double angle = angle_between(m, n);
+  return (n - m).dot(surface.centroid(g) - surface.centroid(f)) < 0. ? -angle : angle;
 }
 
 /// Moves each vertex of two edges half-way to the middle of its neighbors, all at once.
-inline void smooth(Border_graph& graph, const int rounds)
+inline void smooth(Borders& borders, const int rounds)
 {
+  borders.smooth_positions = borders.positions;
   for (int round = 0; round < rounds; ++round)
   {
-    std::vector<Vector> moved = graph.positions;
-    for (std::size_t v = 0; v < moved.size(); ++v)
-      if (const auto& n = graph.neighbors[v]; n.size() == 2)
-        moved[v] =
-            0.5 * graph.positions[v] + 0.25 * (graph.positions[n[0]] + graph.positions[n[1]]);
-    graph.positions = std::move(moved);
+    const std::vector<Vector> before = borders.smooth_positions;
+    for (std::size_t v = 0; v < before.size(); ++v)
+      if (const auto& n = borders.neighbors[v]; n.size() == 2)
+        borders.smooth_positions[v] = 0.5 * before[v] + 0.25 * (before[n[0]] + before[n[1]]);
   }
 }
 
 } // namespace internal
 
-/// measures the borders of the parts.
-inline Border_sums measure_borders(const SM::Mesh& mesh, const SM::Mesh_geometry& geometry,
-                                   const Sampled_surface& surface, const Part_labels& labels)
+/// finds the borders of the parts.
+inline Borders find_borders(const SM::Mesh& mesh, const SM::Mesh_geometry& geometry,
+                            const Part_labels& labels)
 {
   constexpr int smoothing_rounds = 12;
-  Border_sums sums;
-  internal::Border_graph_builder builder(mesh);
+  Borders borders;
+  std::unordered_map<std::size_t, std::size_t> numbers;
+  const auto number = [&](const std::size_t vertex)
+  {
+    const auto [it, is_new] = numbers.emplace(vertex, borders.positions.size());
+    if (is_new)
+    {
+      borders.positions.push_back(vector(mesh.points[vertex]));
+      borders.neighbors.emplace_back();
+    }
+    return it->second;
+  };
   for (const SM::Face_adjacency& edge : geometry.adjacencies)
   {
     if (labels.of_face[edge.faces[0]] == labels.of_face[edge.faces[1]]) continue;
-    const auto [v, w] = edge.vertices;
-    builder.add_edge(v, w);
-    if (internal::is_concave(surface, edge))
-      sums.concave_length += (vector(mesh.points[v]) - vector(mesh.points[w])).norm();
+    const std::size_t v = number(edge.vertices[0]), w = number(edge.vertices[1]);
+    borders.edges.push_back({{v, w}, edge});
+    borders.neighbors[v].push_back(w);
+    borders.neighbors[w].push_back(v);
   }
-  internal::Border_graph graph = builder.graph();
-  sums.length = graph.length();
-  for (std::size_t v = 0; v < graph.positions.size(); ++v)
-    if (const auto& n = graph.neighbors[v]; n.size() == 2)
+  internal::smooth(borders, smoothing_rounds);
+  return borders;
+}
+
+/// measures the borders of the parts.
+inline Border_sums measure_borders(const Sampled_surface& surface, const Borders& borders)
+{
+  constexpr double concave = 10.;
+  Border_sums sums;
+  for (const Border_edge& edge : borders.edges)
+  {
+    sums.length += borders.length(edge);
+    sums.smooth_length += borders.smooth_length(edge);
+    if (internal::fold(surface, edge.mesh_edge) < -concave)
+      sums.concave_length += borders.length(edge);
+  }
+  for (std::size_t v = 0; v < borders.positions.size(); ++v)
+    if (const auto& n = borders.neighbors[v]; n.size() == 2)
     {
-      const Vector& p = graph.positions[v];
-      sums.turns += internal::angle_between(p - graph.positions[n[0]], graph.positions[n[1]] - p);
+      const Vector& p = borders.positions[v];
+      sums.turns +=
+          internal::angle_between(p - borders.positions[n[0]], borders.positions[n[1]] - p);
       sums.bends += 1.;
     }
-  internal::smooth(graph, smoothing_rounds);
-  sums.smooth_length = graph.length();
   return sums;
 }
 
