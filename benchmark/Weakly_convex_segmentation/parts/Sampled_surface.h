@@ -7,7 +7,6 @@
 #include "metrics/mesh_geometry.h"
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
@@ -15,6 +14,7 @@
 #include <CGAL/AABB_triangle_primitive_3.h>
 #else
 #include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #endif
 
 #include <Eigen/Core>
@@ -58,7 +58,8 @@ public:
     m_triangles.reserve(mesh.faces.size());
     for (const auto& [a, b, c] : mesh.faces)
       add_triangle(vector(mesh.points[a]), vector(mesh.points[b]), vector(mesh.points[c]));
-    m_tree.insert(m_triangles.begin(), m_triangles.end());
+    for (Iterator t = m_triangles.begin(); t != m_triangles.end(); ++t)
+      if (!t->is_degenerate()) m_tree.insert(Primitive(t)); // rays can't meet the others
     m_tree.build();
     place_samples(number_of_samples);
     for (const Surface_sample& s : m_samples) m_center += s.position;
@@ -108,9 +109,11 @@ private:
   using Triangle = Kernel::Triangle_3;
   using Iterator = std::vector<Triangle>::const_iterator;
 #if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
-  using Traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_triangle_primitive_3<Kernel, Iterator>>;
+  using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
+  using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
 #else
-  using Traits = CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Iterator>>;
+  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
+  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
 #endif
 
   static Vector vector_of(const Point& p) { return {p.x(), p.y(), p.z()}; }

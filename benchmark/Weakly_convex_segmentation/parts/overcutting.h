@@ -141,13 +141,13 @@ inline bool goes_on(const std::vector<Piece>& pieces, const Piece& piece, const 
          tube.mean_border() < most_ratio * tube.girth;
 }
 
-/// The thickness of the trunk: nine tenths of the shape's surface have less below them.
+/// The thickness of the trunk: three quarters of the shape's surface have less below them.
 inline double trunk_diameter(const std::vector<Diameter_sample>& diameters)
 {
   std::vector<double> values;
   for (const Diameter_sample& d : diameters) values.push_back(d.diameter);
   if (values.empty()) return 0.;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 3 / 4);
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
