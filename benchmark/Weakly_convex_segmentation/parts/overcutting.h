@@ -82,17 +82,21 @@ inline std::size_t number_of_neighbors(const Piece& piece)
 }
 
 /// returns the tube that a piece is of, between its longest loop and one or two more, as of the legs below a hip;
-/// where small things grow from it matters not. A flange or a lip is no tube, its girth is not that of its ends;
+/// where a few small things grow from it matters not. A flange or a lip is no tube, its girth is not that of its ends;
 /// nor is a joint where more than three meet.
 inline std::optional<Tube> as_tube(const Piece& piece)
 {
-  constexpr double least_loop = 0.35, most_ratio = 1.7, most_girth = 1.4;
+  constexpr double least_loop = 0.35, most_small = 0.5, most_ratio = 1.7, most_girth = 1.4;
   constexpr std::size_t most_loops = 3, most_neighbors = 3;
   Tube tube;
   std::size_t loops = 0;
+  double of_small = 0.;
   for (const Border_loop& loop : piece.loops)
     if (loop.length > least_loop * piece.loops.front().length)
       (loops++ == 0 ? tube.first : tube.second).add(loop);
+    else
+      of_small += loop.length;
+  if (of_small > most_small * tube.first.length) return std::nullopt;
   if (loops < 2 || loops > most_loops || number_of_neighbors(piece) > most_neighbors)
     return std::nullopt;
   const auto within = [](const double a, const double b, const double ratio)
