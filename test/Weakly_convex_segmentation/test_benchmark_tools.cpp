@@ -373,4 +373,27 @@ BOOST_AUTO_TEST_CASE(the_stages_of_a_mesh_are_traced)
   BOOST_TEST(!folder.has("no.json"));
 }
 
+BOOST_AUTO_TEST_CASE(parts_are_measured_without_people)
+{
+  const Scratch_folder folder;
+  write_model(folder, 1, "figure");
+  std::filesystem::create_directories(folder.path() / "mine");
+  std::filesystem::copy_file(folder.path() / "data/seg/Benchmark/1/1_0.seg",
+                             folder.path() / "mine/1.seg");
+  const std::string parts = program("benchmark_parts");
+  BOOST_TEST(exit_code(folder, parts + " data mine=mine --people --csv parts.csv") == 0);
+  const std::string csv = folder.read("parts.csv");
+  BOOST_TEST(std::count(csv.begin(), csv.end(), '\n') == 4); // a header, two people and mine
+  BOOST_TEST(csv.find("\n1,mine,1,") != std::string::npos);
+  BOOST_TEST(exit_code(folder, parts + " --mesh data/off/1.off=mine/1.seg --quiet") == 0);
+  for (const std::string& wrong :
+       {std::string(" data"), std::string(" data mine"), std::string(" data mine=none"),
+        std::string(""), std::string(" data mine=mine --ids 270")})
+  {
+    BOOST_TEST(exit_code(folder, parts + wrong) == 1);
+    const std::string error = folder.read("err.txt");
+    BOOST_TEST(std::count(error.begin(), error.end(), '\n') == 1);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
