@@ -15,6 +15,7 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/straighten_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/mirror.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
@@ -95,18 +96,19 @@ inline Result finish_segmentation(const Shape_analysis& shape, Representative_la
                                   const Run_control& control)
 {
   Result result;
-  std::vector<int> input_labels;
   const auto refine = [&]
   {
     const std::size_t moved =
         refine_borders(shape.graph, parameters, labels.segments, control.parallel);
     control.check();
-    input_labels = carry_labels(shape, labels.segments, parameters, control);
+    result.labels = element_labels(
+        shape.input, carry_labels(shape, labels.segments, parameters, control), control.parallel);
+    if (parameters.refinement == Refinement_rule::SEAM_CUTS && parameters.band_width > 0.)
+      straighten_borders(shape.faces, shape.input, parameters, control, result.labels);
     return moved;
   };
   const auto describe = [&]
   {
-    result.labels = element_labels(shape.input, input_labels, control.parallel);
     const std::size_t count = number_labels(result.labels);
     control.check();
     labels.segments = representative_labels(shape, result.labels);

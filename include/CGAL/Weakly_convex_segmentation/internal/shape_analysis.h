@@ -48,6 +48,7 @@ struct Shape_analysis
 {
   Oracles oracles;
   Oriented_points input;
+  Mesh_faces faces;
   bool has_flipped_normals = false; ///< those of the input pointed inwards
   Representatives representatives;
   Neighbor_graph graph;
@@ -88,15 +89,15 @@ inline Patch_clustering clustering_of(const Oracles& oracles, const Patch_parame
 }
 
 /// brings the input into the frame of the method, and thins it where it is large (sections 3 and 6).
-inline std::size_t take_samples(const Raw_shape& raw, const Sampling_parameters& parameters,
+inline std::size_t take_samples(Raw_shape raw, const Sampling_parameters& parameters,
                                 const Run_control& control, Shape_analysis& shape)
 {
   Raw_shape sampled, smoothed;
-  const bool is_rough = parameters.denoise && denoise_mesh(raw, control, smoothed);
-  const Raw_shape& faces = is_rough ? smoothed : raw;
-  const bool has_more = sample_faces(faces, parameters, sampled);
+  if (parameters.denoise && denoise_mesh(raw, control, smoothed)) raw = std::move(smoothed);
+  const bool has_more = sample_faces(raw, parameters, sampled);
   control.check();
-  shape.input = orient_points(has_more ? sampled : faces, control.parallel, control, true);
+  shape.input = orient_points(has_more ? sampled : raw, control.parallel, control, true);
+  shape.faces = {std::move(raw.first_corner), std::move(raw.corners), std::move(raw.links)};
   control.check();
   shape.representatives = downsample(shape.input, parameters.number_of_representatives,
                                      control.parallel, parameters.denoise);
@@ -156,7 +157,8 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
   auto shape = std::make_unique<Shape_analysis>();
   shape->oracles = std::move(oracles);
   if (raw.normals.empty()) estimate_normals(raw, control, parameters.normal_orientation);
-  control.stage(Stage::SAMPLING, [&] { return take_samples(raw, parameters, control, *shape); });
+  control.stage(Stage::SAMPLING,
+                [&] { return take_samples(std::move(raw), parameters, control, *shape); });
   control.stage(Stage::NEIGHBORS, [&] { return find_neighbors(parameters, control, *shape); });
   control.stage(Stage::PATCHES, [&] { return make_patches(parameters, control, *shape); });
   control.stage(Stage::VISIBILITY, [&] { return prepare_visibility(parameters, control, *shape); });

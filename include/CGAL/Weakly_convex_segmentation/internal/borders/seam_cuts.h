@@ -30,12 +30,12 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// returns the cost of a border across an edge: 1, less where it is concave.
-inline double border_cost(const Neighbor& edge)
+/// returns the cost of a border where the surface bends by so much: 1, less where it is concave.
+inline double border_cost(const float concavity)
 {
   constexpr float half_cost = radians(10.); // the concavity that halves the cost
-  if (edge.concavity <= 0.f) return 1.;
-  const double ratio = edge.concavity / half_cost;
+  if (concavity <= 0.f) return 1.;
+  const double ratio = concavity / half_cost;
   return 1. / (1. + ratio * ratio);
 }
 
@@ -109,11 +109,12 @@ inline void cut_seam(const Neighbor_graph& graph, const Seams& seams, const Inde
       const Seams::Node node = seams.nodes[edge.point];
       if (node.seam != seam)
       {
-        if (before[edge.point] == a) cost_of_b += border_cost(edge);
-        if (before[edge.point] == b) cost_of_a += border_cost(edge);
+        if (before[edge.point] == a) cost_of_b += border_cost(edge.concavity);
+        if (before[edge.point] == b) cost_of_a += border_cost(edge.concavity);
       }
       else if (node.number > n)
-        flow.add_edge(ids[n], ids[node.number], border_cost(edge), border_cost(edge));
+        flow.add_edge(ids[n], ids[node.number], border_cost(edge.concavity),
+                      border_cost(edge.concavity));
     }
     flow.add_tweights(ids[n], cost_of_b, cost_of_a); // the source's side is label a
   }

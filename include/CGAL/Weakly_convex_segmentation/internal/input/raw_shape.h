@@ -38,6 +38,14 @@ struct Raw_shape
   int exponent = 0; ///< lengths of the input are those here, times 2 to the power of this
 };
 
+/// What is kept of a mesh for its borders.
+struct Mesh_faces
+{
+  std::vector<std::size_t> first_corner; ///< as in `Raw_shape`; empty if there are no faces
+  std::vector<Coordinates> corners;
+  std::vector<std::array<Index, 2>> links;
+};
+
 /// \throws std::invalid_argument if a coordinate is not finite.
 inline void check_finite(const std::vector<Coordinates>& vectors, const char* what,
                          const bool parallel = false)
