@@ -228,7 +228,9 @@ void score(const std::filesystem::path& data, const std::string& variant, const 
                    const auto trees = tables.of_model(model.number).trees();
                    const auto labels = Patch_scores::refined_labels(
                        model,
-                       WCS::internal::decide_segments(*model.shape, parameters, {}, {}, trees),
+                       WCS::internal::decide_segments(
+                           *model.shape, parameters, {}, {},
+                           WCS::internal::mirror_of(*model.shape, parameters, {}), trees),
                        parameters);
                    scores.add(model, Patch_scores::rand_error_of_labels(model, labels), labels);
                  });

@@ -51,7 +51,7 @@ Labels agreed_labels(const std::vector<Labels>& cuts, const double minimum_size)
 {
   std::vector<Votes> votes;
   for (const Labels& cut : cuts) votes.push_back({cut});
-  return consensus_labels(votes, 0.4, minimum_size);
+  return consensus_labels(votes, 0.45, minimum_size);
 }
 
 /// votes of regions of ten points each that are together with the probabilities of a full matrix
@@ -178,7 +178,8 @@ BOOST_AUTO_TEST_CASE(what_was_linked_early_moves_to_where_it_is_more_at_home)
   BOOST_CHECK(are_one_partition(consensus_labels({votes}, 0.5, 0.), labels));
   BOOST_CHECK(are_one_partition(consensus_labels({votes, votes, votes}, 0.5, 0.), labels));
   std::vector<int> clusters = {0, 0, 0, 3}; // a class that fits nowhere is a cluster of its own
-  const std::vector<std::map<int, double>> together = {{{1, 0.9}}, {{0, 0.9}}, {}, {}};
+  Eigen::MatrixXd together = Eigen::MatrixXd::Zero(4, 4);
+  together(0, 1) = together(1, 0) = 0.9;
   const std::vector<double> sizes(4, 1.);
   Class_moves(sizes, together, 0.5, clusters).run();
   BOOST_CHECK(clusters[0] == clusters[1]);

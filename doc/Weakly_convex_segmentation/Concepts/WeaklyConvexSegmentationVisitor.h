@@ -35,6 +35,10 @@ public:
   /// `CGAL::Weakly_convex_segmentation::Visitor::stage_ends()`.
   void stage_ends(CGAL::Weakly_convex_segmentation::Stage stage, std::size_t size);
 
+  /// is called within the stage `CONSENSUS` if the shape has a plane of reflection, whose two sides are decided
+  /// together then.
+  void symmetry_found(const CGAL::Weakly_convex_segmentation::Symmetry_plane& plane);
+
   /// is called for each merge of two regions, in the order in which the merge tree keeps them, between the
   /// beginning and the end of the stages `FUSION` and `MERGING`. Each region is named by one of its patches.
   /// Merges after the segments are found, which make the merge tree whole, are told of too. `cost` is what

@@ -284,7 +284,6 @@ inline Parameters Parameters::fitted()
   p.merging = Merging_rule::FITTED;
   p.fusion_threshold = 0.12;
   p.merging_threshold = 0.5;
-  p.minimum_segment_share = 0.006;
   return p;
 }
 

@@ -11,10 +11,12 @@
 
 #include <CGAL/Weakly_convex_segmentation/Merge_tree.h>
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
+#include <CGAL/Weakly_convex_segmentation/Symmetry_plane.h>
 
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -48,6 +50,8 @@ struct Result
   std::size_t number_of_components = 0; ///< number of weakly convex components before merging
   /// whether all normals were turned for the run, see `Parameters::flip_inward_normals`
   bool has_flipped_normals = false;
+  /// the plane whose two sides were decided together, if there is one, see `Parameters::symmetry_tolerance`
+  std::optional<Symmetry_plane> symmetry_plane;
 
   /// number of segments
   std::size_t number_of_segments() const { return segments.size(); }

@@ -9,6 +9,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_VISITOR_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_VISITOR_H
 
+#include <CGAL/Weakly_convex_segmentation/Symmetry_plane.h>
+
 #include <cstddef>
 #include <stdexcept>
 
@@ -59,6 +61,8 @@ public:
   /// called when a stage ends; `size` is the number of things that it made: representatives,
   /// neighbor edges, patches, disks, diameters, sets of patches, components, segments, moved points, segments
   virtual void stage_ends(Stage, std::size_t /* size */) {}
+  /// called within the consensus if the two sides of a plane are decided together
+  virtual void symmetry_found(const Symmetry_plane&) {}
   /// called for each merge with a patch of either region, counted from 0, and the cost that was paid
   virtual void merged(int /* first_patch */, int /* second_patch */, double /* cost */) {}
 };

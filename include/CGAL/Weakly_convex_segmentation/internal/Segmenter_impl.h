@@ -65,8 +65,10 @@ Result Segmenter<ConcurrencyTag>::refine(const Result& result, const std::vector
   internal::Representative_labels labels;
   labels.patches = internal::representative_labels(*m_shape, result.patches);
   for (const int patch : labels.patches) labels.segments.push_back(patch_labels[patch]);
-  return internal::finish_segmentation(*m_shape, std::move(labels), result.merge_tree, parameters,
-                                       m_control);
+  Result refined = internal::finish_segmentation(*m_shape, std::move(labels), result.merge_tree,
+                                                 parameters, m_control);
+  refined.symmetry_plane = result.symmetry_plane;
+  return refined;
 }
 
 template <typename ConcurrencyTag>

@@ -55,21 +55,34 @@ inline Votes votes_of_set(const Shape_analysis& shape, const Patch_set& set,
                          set.patches.of_point);
 }
 
-/// The share of cuts that have to put two points together: no tie of few votes. Three of five are more, two are less.
-constexpr double least_share_of_cuts = 0.45;
-
-/// returns where the shape's plane of reflection takes its points, if it has one.
-inline Mirror mirror_of(const Shape_analysis& shape, const Parameters& parameters,
-                        const bool parallel)
+/// returns a plane of the method's frame as one of the input.
+inline Symmetry_plane in_input(const Mirror& mirror, const Placement& placement)
 {
-  if (parameters.symmetry_tolerance == 0.) return {};
-  return find_mirror(shape.points(), shape.graph.spacing, parameters.symmetry_tolerance, parallel);
+  const Double3 &n = mirror.plane.normal, foot = mirror.plane.offset * n;
+  const auto single = [](const Double3& v) -> Vector3 {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  };
+  return {placement.position(single(foot)), placement.direction(single(n)), mirror.residual};
+}
+
+/// returns the shape's plane of reflection and where it takes its points, if it has one.
+inline Mirror mirror_of(const Shape_analysis& shape, const Parameters& parameters,
+                        const Run_control& control)
+{
+  if (parameters.symmetry_tolerance == 0. || shape.patch_sets.size() == 1) return {};
+  Mirror mirror = find_mirror(shape.points(), shape.graph.spacing, parameters.symmetry_tolerance,
+                              control.parallel);
+  control.check();
+  if (!mirror.image.empty() && control.visitor != nullptr)
+    control.visitor->symmetry_found(in_input(mirror, shape.input.placement));
+  return mirror;
 }
 
 /// returns the segment of each representative: what the sets of patches agree on. The borders of each set's
 /// regions are refined first, else the consensus would have those of many patches.
 inline std::vector<int> decide_segments(const Shape_analysis& shape, const Parameters& parameters,
                                         const Run_control& control, const Merge_cost& own_cost,
+                                        const Mirror& mirror,
                                         const Boosted_trees& trees = learned_trees())
 {
   const std::size_t sets = shape.patch_sets.size();
@@ -82,12 +95,11 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   parallel_for(sets, control.parallel, decide, 1);
   const bool are_cuts = votes.front().together.empty();
   if (sets == 1 && are_cuts) return std::move(votes.front().labels);
-  const Mirror mirror = mirror_of(shape, parameters, control.parallel);
-  const double least = are_cuts ? least_share_of_cuts : 1. - parameters.merging_threshold;
-  return consensus_labels(std::move(votes), least,
-                          parameters.minimum_segment_share *
-                              static_cast<double>(shape.points().size()),
-                          mirror.image);
+  // of cuts, no tie of few votes: three of five are more, two are less
+  const double least = are_cuts ? 0.45 : 1. - parameters.merging_threshold;
+  return consensus_labels(
+      std::move(votes), least,
+      parameters.minimum_segment_share * static_cast<double>(shape.points().size()), mirror.image);
 }
 
 /// refines the borders and carries the labels to the input.
@@ -134,10 +146,12 @@ inline Result segment_shape(Shape_analysis& shape, const Parameters& parameters,
   parameters.check();
   // a shape that was analyzed for other rules has no diameters yet
   sample_diameters(shape, parameters, control.parallel);
+  Mirror mirror;
   std::vector<int> segments;
   const auto decide = [&]
   {
-    segments = decide_segments(shape, parameters, control, own_cost);
+    mirror = mirror_of(shape, parameters, control);
+    segments = decide_segments(shape, parameters, control, own_cost, mirror);
     return shape.patch_sets.size();
   };
   control.stage(Stage::CONSENSUS, decide);
@@ -146,8 +160,11 @@ inline Result segment_shape(Shape_analysis& shape, const Parameters& parameters,
   const std::vector<int> region = tree.labels_after(tree.number_of_accepted_merges());
   for (std::size_t i = 0; i < segments.size(); ++i)
     segments[i] = region[patches.patches.of_point[i]];
-  return finish_segmentation(shape, {std::move(patches.patches.of_point), std::move(segments)},
-                             std::move(tree), parameters, control);
+  Result result =
+      finish_segmentation(shape, {std::move(patches.patches.of_point), std::move(segments)},
+                          std::move(tree), parameters, control);
+  if (!mirror.image.empty()) result.symmetry_plane = in_input(mirror, shape.input.placement);
+  return result;
 }
 
 /// the whole method
