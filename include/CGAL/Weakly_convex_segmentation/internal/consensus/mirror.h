@@ -96,13 +96,19 @@ public:
     return *std::min_element(candidates.begin(), candidates.end(), is_better);
   }
 
-  /// returns where a reflection takes each point.
+  /// returns where a reflection takes each point; a point that has no counterpart there is its own image.
   std::vector<Index> images(const Mirror_plane& plane, const bool parallel) const
   {
     std::vector<Index> result(m_points.size());
     parallel_for(
         result.size(), parallel,
-        [&](const std::size_t i) { result[i] = image(plane, static_cast<Index>(i)); }, 256);
+        [&](const std::size_t n)
+        {
+          const auto i = static_cast<Index>(n);
+          const Index j = image(plane, i);
+          result[n] = are_counterparts(plane, i, j) ? j : i;
+        },
+        256);
     return result;
   }
 
@@ -138,16 +144,29 @@ private:
     return best;
   }
 
-  /// The distance from the surface is that from the tangent plane, unless the nearest point is far away.
+  /// returns how far a mirrored point is from the surface about another one: from the tangent plane, unless that
+  /// point is far away.
+  float distance(const Mirror_plane& plane, const Index i, const Index j) const
+  {
+    const Vector3 from_surface = plane.image(m_points.positions[i]) - m_points.positions[j];
+    return (std::max)(std::abs(dot(from_surface, m_points.normals[j])),
+                      length(from_surface) - m_spacing[j]);
+  }
+
+  bool are_counterparts(const Mirror_plane& plane, const Index i, const Index j) const
+  {
+    constexpr float farthest = 0.025f; // relative to the extent
+    return distance(plane, i, j) < farthest &&
+           dot(plane.image_of_vector(m_points.normals[i]), m_points.normals[j]) > 0.f;
+  }
+
   void judge(Mirror& m, const std::vector<Index>& sample) const
   {
     double sum = 0., agreeing = 0.;
     for (const Index i : sample)
     {
       const Index j = image(m.plane, i);
-      const Vector3 from_surface = m.plane.image(m_points.positions[i]) - m_points.positions[j];
-      sum += (std::max)(std::abs(dot(from_surface, m_points.normals[j])),
-                        length(from_surface) - m_spacing[j]);
+      sum += distance(m.plane, i, j);
       if (dot(m.plane.image_of_vector(m_points.normals[i]), m_points.normals[j]) > same_direction)
         agreeing += 1.;
     }
