@@ -88,7 +88,7 @@ Labels agreed_labels(const std::vector<Labels>& cuts, const bool has_mirror)
   std::vector<Index> image;
   const auto last = static_cast<Index>(cuts.front().size()) - 1;
   for (Index i = 0; has_mirror && i <= last; ++i) image.push_back(last - i);
-  return consensus_labels(votes, 0.45, 0., image);
+  return consensus_labels(votes, 0.42, 0., image);
 }
 
 } // namespace

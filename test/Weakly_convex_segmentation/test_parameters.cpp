@@ -103,6 +103,7 @@ std::vector<Setting> settings()
           {"fusion_threshold", "default", "dumbbell", 0.1},
           {"merging_threshold", "default", "dumbbell", 100.},
           {"minimum_segment_share", "default", "dumbbell", 0.4},
+          {"symmetry_tolerance", "default", "figure", 0.},
           {"maximum_number_of_segments", "default", "dumbbell", 1.},
           {"band_width", "default", "hand", 0.05}};
 }

@@ -147,11 +147,12 @@ public:
       m_queue.pop();
       if (m_age[best.a] != best.age_a || m_age[best.b] != best.age_b) continue;
       const auto [first, second] = mirror_images(best.a, best.b);
-      if (!may_merge_with_image(best, first, second, least)) continue;
+      const With_image with_image = merge_with_image(best, first, second, least);
+      if (with_image == With_image::NEITHER) continue;
       merge(best.a, best.b);
       consider(best.a, least);
       const int c = cluster_of(first), d = cluster_of(second);
-      if (c == d || m_together(c, d) <= 0.) continue;
+      if (with_image == With_image::ALONE || c == d || m_together(c, d) <= 0.) continue;
       merge(c, d);
       consider(c, least);
     }
@@ -229,15 +230,25 @@ private:
     return std::minmax(a, b) == std::minmax(c, d) ? std::make_pair(a, a) : std::make_pair(c, d);
   }
 
-  /// Where a pair and its images c and d share a cluster, the second merge has to be one that is made after the first.
-  bool may_merge_with_image(const Candidate& merge, const int c, const int d,
-                            const double least) const
+  enum class With_image
   {
+    BOTH,
+    NEITHER,
+    ALONE
+  };
+  /// Where a pair and its images c and d share a cluster, the second merge has to be one that is made after the
+  /// first; else there is neither. But a sliver across the plane, that belongs to either side, is no part of its own.
+  With_image merge_with_image(const Candidate& merge, const int c, const int d,
+                              const double least) const
+  {
+    constexpr double sliver = 0.25; // of the size of its neighbors
     const bool has_c = c == merge.a || c == merge.b, has_d = d == merge.a || d == merge.b;
-    if (has_c == has_d) return true;
-    const int other = has_c ? d : c;
+    if (has_c == has_d) return With_image::BOTH;
+    const int other = has_c ? d : c, shared = has_c ? c : d;
     const double pairs = (m_sizes[merge.a] + m_sizes[merge.b]) * m_sizes[other];
-    return m_together(merge.a, other) + m_together(merge.b, other) > least * pairs;
+    if (m_together(merge.a, other) + m_together(merge.b, other) > least * pairs)
+      return With_image::BOTH;
+    return m_sizes[shared] < sliver * m_sizes[other] ? With_image::ALONE : With_image::NEITHER;
   }
 
   /// merges `b` into `a`.

@@ -74,8 +74,8 @@ class Mirror_finder
 {
 public:
   Mirror_finder(const Oriented_points& points, const std::vector<float>& spacing)
-    : m_points(points), m_spacing(spacing), m_tree(points.positions), m_few(sample(150)),
-      m_many(sample(600))
+    : m_points(points), m_spacing(spacing), m_tree(points.positions), m_few(sample(100)),
+      m_many(sample(400))
   {}
 
   /// returns the best plane, with `residual` and `agreeing` but without images.
@@ -83,10 +83,10 @@ public:
   {
     std::vector<Mirror> candidates = planes_to_try();
     std::sort(candidates.begin(), candidates.end(), is_better);
-    constexpr std::size_t most = 4; // are moved
+    constexpr std::size_t most = 3; // are moved
     candidates.resize((std::min)(candidates.size(), most));
     constexpr double hopeless = 0.08;
-    constexpr int steps = 6;
+    constexpr int steps = 4;
     for (Mirror& m : candidates)
     {
       if (m.residual > hopeless) continue;
