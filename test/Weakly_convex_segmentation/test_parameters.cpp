@@ -202,6 +202,7 @@ std::vector<double> numbers(const Result& result)
     row.insert(row.end(), {segment.convexity_rank, segment.diameter});
   row.push_back(static_cast<double>(result.merge_tree.number_of_fusions()));
   row.push_back(static_cast<double>(result.merge_tree.number_of_accepted_merges()));
+  row.push_back(result.symmetry_plane ? result.symmetry_plane->residual : -1.);
   return row;
 }
 
