@@ -51,7 +51,7 @@ Labels agreed_labels(const std::vector<Labels>& cuts, const double minimum_size)
 {
   std::vector<Votes> votes;
   for (const Labels& cut : cuts) votes.push_back({cut});
-  return consensus_labels(votes, 0.42, minimum_size);
+  return consensus_labels(votes, least_share_of_cuts, minimum_size);
 }
 
 /// votes of regions of ten points each that are together with the probabilities of a full matrix

@@ -158,8 +158,8 @@ const Raw_shape& shape(const std::string& name)
     return slot->second;
   }
   const bool is_stretched = name == "stretched dumbbell"; // neighbors across long edges are far
-  auto mesh = Shape_generator::make_mesh(name == "hand" ? "hand" : "dumbbell",
-                                         name == "hand" ? 6000 : 3000);
+  const bool is_large = name == "hand" || name == "figure";
+  auto mesh = Shape_generator::make_mesh(is_large ? name : "dumbbell", is_large ? 6000 : 3000);
   if (is_stretched)
     for (auto& p : mesh.points) p[0] *= 8.;
   std::mt19937 random(1);
@@ -202,7 +202,6 @@ std::vector<double> numbers(const Result& result)
     row.insert(row.end(), {segment.convexity_rank, segment.diameter});
   row.push_back(static_cast<double>(result.merge_tree.number_of_fusions()));
   row.push_back(static_cast<double>(result.merge_tree.number_of_accepted_merges()));
-  row.push_back(result.symmetry_plane ? result.symmetry_plane->residual : -1.);
   return row;
 }
 

@@ -95,8 +95,7 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   parallel_for(sets, control.parallel, decide, 1);
   const bool are_cuts = votes.front().together.empty();
   if (sets == 1 && are_cuts) return std::move(votes.front().labels);
-  // of cuts, no tie of few votes: half of them are more, two of five are less
-  const double least = are_cuts ? 0.42 : 1. - parameters.merging_threshold;
+  const double least = are_cuts ? least_share_of_cuts : 1. - parameters.merging_threshold;
   return consensus_labels(
       std::move(votes), least,
       parameters.minimum_segment_share * static_cast<double>(shape.points().size()), mirror.image);

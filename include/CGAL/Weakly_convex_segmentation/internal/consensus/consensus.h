@@ -33,6 +33,10 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// The share of cuts that have to put two points together, on average. No tie of few votes: half of them are more,
+/// two of five are less.
+constexpr double least_share_of_cuts = 0.42;
+
 /// The coarsest partition of which each class lies in one segment of each of some segmentations.
 struct Overlay
 {
@@ -230,11 +234,12 @@ private:
     return std::minmax(a, b) == std::minmax(c, d) ? std::make_pair(a, a) : std::make_pair(c, d);
   }
 
+  /// What is merged of a pair and its image.
   enum class With_image
   {
     BOTH,
     NEITHER,
-    ALONE
+    ALONE ///< the pair, without its image
   };
   /// Where a pair and its images c and d share a cluster, the second merge has to be one that is made after the
   /// first; else there is neither. But a sliver across the plane, that belongs to either side, is no part of its own.
@@ -264,10 +269,10 @@ private:
 
   std::vector<double> m_sizes;   ///< points in each cluster
   Disjoint_sets<int> m_clusters; ///< of classes
-  Eigen::MatrixXd
-      m_together; ///< pairs of points of two clusters that are together, a mean over the votes
-  Eigen::MatrixXd
-      m_mirrored; ///< points of a row's cluster whose mirror images lie in a column's; or empty
+  /// pairs of points of two clusters that are together, a mean over the votes
+  Eigen::MatrixXd m_together;
+  /// points of a row's cluster whose mirror images lie in a column's; or empty
+  Eigen::MatrixXd m_mirrored;
   std::vector<std::size_t> m_age;
   std::priority_queue<Candidate> m_queue;
 };
@@ -287,8 +292,8 @@ inline std::vector<Votes> with_mirrored(std::vector<Votes> votes, const std::vec
 
 /// returns the labels that the votes agree on, one a point, from 0 on but with gaps. Two points of different
 /// segments are together with a probability of no more than `least`, on average. Segments of fewer than
-/// `minimum_size` points join the one that they agree with most. `image`: the point that each point's mirror image
-/// is nearest to, if the shape has a plane of reflection.
+/// `minimum_size` points join the one that they agree with most. `image`: where a plane of
+/// reflection takes each point, as in `Mirror`; empty if there is no such plane.
 ///
 /// Complexity: linear in the number of points, besides O(m^2 log m) for m classes of the overlay.
 inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double least,

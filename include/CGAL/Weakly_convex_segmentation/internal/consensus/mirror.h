@@ -65,8 +65,9 @@ struct Mirror
   Mirror_plane plane;
   double residual =
       1.; ///< mean distance of mirrored points from the surface, relative to the extent
-  double agreeing = 0.;     ///< share of them whose normals agree with it
-  std::vector<Index> image; ///< the point that the mirror image of each point is nearest to
+  double agreeing = 0.; ///< share of them whose normals agree with it
+  /// the point that the mirror image of each point is nearest to; of a point without a counterpart, itself
+  std::vector<Index> image;
 };
 
 /// Finds planes of reflection of points.
