@@ -14,6 +14,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/absorb_strips.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/straighten_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
@@ -96,9 +97,11 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   const bool are_cuts = votes.front().together.empty();
   if (sets == 1 && are_cuts) return std::move(votes.front().labels);
   const double least = are_cuts ? least_share_of_cuts : 1. - parameters.merging_threshold;
-  return consensus_labels(
+  std::vector<int> labels = consensus_labels(
       std::move(votes), least,
       parameters.minimum_segment_share * static_cast<double>(shape.points().size()), mirror.image);
+  absorb_strips(shape.graph, labels);
+  return labels;
 }
 
 /// refines the borders and carries the labels to the input.
