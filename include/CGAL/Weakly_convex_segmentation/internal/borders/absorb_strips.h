@@ -85,8 +85,9 @@ public:
     for (auto& node : m_nodes) node.second = count++;
   }
 
-  /// Points that are neighbors, or have a neighbor beyond in common, are on one line; so are the sides of a point where two other
-  /// segments meet. Two lines that come near each other stay two: on a thin body the roots of two wings do.
+  /// Points that are neighbors, or have a neighbor beyond in common, are on one line; so are the sides of a point
+  /// where two other segments meet. Two lines that come near each other stay two: on a thin body the roots of two
+  /// wings do. Where points lie very unevenly, a line may count as several.
   std::size_t count() const
   {
     Disjoint_sets<int> lines(m_nodes.size());
@@ -123,8 +124,8 @@ private:
   std::map<std::pair<Index, int>, int> m_nodes; ///< border points and what is beyond: their numbers
 };
 
-/// returns whether a segment is a strip by its outline: one line goes around it, that is long for its area and is
-/// shared with several others. What lies between creases, as a bevel, is seen and a part.
+/// returns whether a segment around which one line goes is a strip: that line is long for its area and shared with
+/// several others. What lies between creases, as a bevel, is seen and a part.
 inline bool is_strip(const Outline& outline)
 {
   constexpr double pi = 3.14159265358979323846;
