@@ -12,7 +12,7 @@ import math
 import pathlib
 import sys
 
-OURS = ["default", "fitted"]
+OURS = ["default", "training_free"]
 # a difference that rounding could make is none
 EPSILON = 1e-9
 

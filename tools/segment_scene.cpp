@@ -46,7 +46,7 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
       "plane-distance", po::value(&options.plane_distance)->default_value(options.plane_distance),
       "half thickness of the plane")("gap", po::value(&options.gap)->default_value(options.gap),
                                      "distance that separates objects")(
-      "preset", po::value(&preset)->default_value("fitted"), "default or fitted");
+      "preset", po::value(&preset)->default_value("default"), "default or training_free");
   po::options_description all;
   all.add(visible).add_options()("input", po::value(&files.input)->required(), "");
   po::positional_options_description positional;
@@ -64,10 +64,8 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
     return false;
   }
   po::notify(map);
-  if (preset != "default" && preset != "fitted")
-    throw std::invalid_argument("there is no preset '" + preset + "'; use default or fitted");
-  if (preset == "default")
-    options.parameters = Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters());
+  options.parameters =
+      Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters::preset(preset));
   if (!(options.cell > 0. && options.plane_distance > 0. && options.gap > 0.))
     throw std::invalid_argument("--cell, --plane-distance and --gap have to be above 0");
   if (!viewpoint.empty() && viewpoint.size() != 3)

@@ -90,14 +90,6 @@ std::vector<int> models_in(const std::filesystem::path& data)
   return models;
 }
 
-WCS::Parameters preset(const std::string& name)
-{
-  if (name == "default") return {};
-  if (name == "paper") return WCS::Parameters::paper();
-  if (name == "fitted") return WCS::Parameters::fitted();
-  throw std::invalid_argument("there is no preset '" + name + "', use default, paper or fitted");
-}
-
 WCS::Level level(const std::string& name)
 {
   if (name == "patches") return WCS::Level::PATCHES;
@@ -118,8 +110,9 @@ bool read_options(const int argc, char** argv, Options& options)
                                               "only these models, as 1,3,21")(
       "seg-dir", po::value(&options.seg_directory),
       "write the labels to DIR/N.seg")("csv", po::value(&options.csv), "write a row a model")(
-      "preset", po::value(&preset_name)->default_value("default"), "default, paper or fitted")(
-      "stage", po::value(&stage)->default_value("segments"), "patches, components or segments")(
+      "preset", po::value(&preset_name)->default_value("default"),
+      "default, training_free or paper")("stage", po::value(&stage)->default_value("segments"),
+                                         "patches, components or segments")(
       "set", po::value(&settings)->composing(), "NAME=VALUE of a parameter; may be repeated")(
       "diameters", po::value(&diameters)->default_value("own"),
       "own, or cgal: CGAL's shape diameter function, where the mesh is a manifold")(
@@ -140,7 +133,7 @@ bool read_options(const int argc, char** argv, Options& options)
     return false;
   }
   po::notify(map);
-  options.parameters = preset(preset_name);
+  options.parameters = WCS::Parameters::preset(preset_name);
   for (const std::string& s : settings) Named_parameters::set_parameter(options.parameters, s);
   if (diameters == "cgal")
     options.parameters.diameter = WCS::Diameter_rule::GIVEN;

@@ -54,7 +54,7 @@ struct Options
 
 WCS::Parameters parameters_of(const Method& method, const Options& options)
 {
-  WCS::Parameters parameters = Scan_methods::preset(method.name);
+  WCS::Parameters parameters = WCS::Parameters::preset(method.name);
   for (const std::string& s : options.settings) Named_parameters::set_parameter(parameters, s);
   return parameters;
 }
@@ -292,8 +292,8 @@ po::options_description visible_options(Options& options, std::vector<std::strin
   visible.add_options()("help", "print this")("ids", po::value(&ids), "only these models, as 1,3")(
       "per-category", po::value(&per_category)->default_value(0),
       "only the first so many models of each category; 0: all")(
-      "methods", po::value(&methods)->default_value("default,fitted"),
-      "of default, fitted, paper, sdf, lccp, cpc; the last three may have settings: "
+      "methods", po::value(&methods)->default_value("default,training_free"),
+      "of default, training_free, paper, sdf, lccp, cpc; the last three may have settings: "
       "sdf@CLUSTERS/SMOOTHING/CELL, lccp@VOXEL/SEED/TOLERANCE/SMOOTHNESS/K, cpc@ likewise")(
       "only", po::value(&options.only), "only clouds whose name has this in it, as '2 views'")(
       "without", po::value(&options.without), "no clouds whose name has this in it, as 'noise'")(

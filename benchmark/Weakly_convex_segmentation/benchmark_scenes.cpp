@@ -53,8 +53,8 @@ bool read_options(const int argc, char** argv, Options& options)
                                   "property 'label': 1 to 9 the "
                                   "table, 20 to 29 the first object, 30 to 39 the second, ...");
   visible.add_options()("help", "print this")(
-      "methods", po::value(&methods)->default_value("fitted"),
-      "of default, fitted, pieces, lccp, cpc, lccp_whole, cpc_whole; the last four may have "
+      "methods", po::value(&methods)->default_value("default"),
+      "of default, training_free, pieces, lccp, cpc, lccp_whole, cpc_whole; the last four may have "
       "settings: lccp@VOXEL/SEED/TOLERANCE/SMOOTHNESS/K, lengths in meters")(
       "csv", po::value(&csv), "write a row a scene and method")(
       "cell", po::value(&scene.cell)->default_value(scene.cell), "thinning in meters")(
@@ -108,8 +108,9 @@ Row run(const Shape_io::Shape& shape, const std::vector<int>& truth, const std::
 {
   Row row{scene, method, {}, 0., ""};
   Scene_objects::Options scene_options = options.scene;
-  if (method == "default")
-    scene_options.parameters = Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters());
+  if (method == "training_free")
+    scene_options.parameters =
+        Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters::training_free());
   for (const std::string& s : options.settings)
     Named_parameters::set_parameter(scene_options.parameters, s);
   std::vector<int> labels(shape.points.size(), -1);

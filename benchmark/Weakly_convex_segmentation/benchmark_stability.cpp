@@ -4,7 +4,7 @@
 // How much the parts change with what should not matter: 1 - Rand Index between the labels of one shape
 // and those of the same shape after a change of seed, order, pose, scale, noise or sampling.
 //
-//   benchmark_stability DATA_DIR [--preset default|paper|fitted] [--set NAME=VALUE] [--per-category N]
+//   benchmark_stability DATA_DIR [--preset default|training_free|paper] [--set NAME=VALUE] [--per-category N]
 //                       [--points]
 
 #include "common/set_parameter.h"
@@ -191,14 +191,6 @@ std::vector<double> distances(const SM::Mesh& mesh, const WCS::Parameters& param
   return result;
 }
 
-WCS::Parameters preset(const std::string& name)
-{
-  if (name == "default") return {};
-  if (name == "paper") return WCS::Parameters::paper();
-  if (name == "fitted") return WCS::Parameters::fitted();
-  throw std::invalid_argument("there is no preset '" + name + "', use default, paper or fitted");
-}
-
 void print_row(const std::string& name, const std::vector<double>& values, const double count)
 {
   std::printf("%-10s", name.c_str());
@@ -252,9 +244,10 @@ int main(int argc, char** argv)
     std::vector<std::string> settings;
     int models = 1;
     po::options_description options("benchmark_stability DATA_DIR [options]");
-    options.add_options()("help", "print this")(
-        "preset", po::value(&preset_name)->default_value("default"),
-        "default, paper or fitted")("per-category", po::value(&models), "models a category (1)")(
+    options.add_options()("help", "print this")("preset",
+                                                po::value(&preset_name)->default_value("default"),
+                                                "default, training_free or paper")(
+        "per-category", po::value(&models), "models a category (1)")(
         "set", po::value(&settings)->composing(), "NAME=VALUE of a parameter; may be repeated")(
         "points", "segment the centroids of the faces, without the mesh")(
         "data", po::value(&data)->required(), "folder that holds off/");
@@ -269,7 +262,7 @@ int main(int argc, char** argv)
       return 0;
     }
     po::notify(map);
-    WCS::Parameters parameters = preset(preset_name);
+    WCS::Parameters parameters = WCS::Parameters::preset(preset_name);
     for (const std::string& s : settings) Named_parameters::set_parameter(parameters, s);
     run(data, parameters, models, map.count("points") > 0);
     return 0;

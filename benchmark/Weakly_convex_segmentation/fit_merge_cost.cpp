@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The C++ side of fitting the merge cost of the `fitted` preset to labeled shapes; fit_merge_cost.py
+// The C++ side of fitting the merge cost of the default preset to labeled shapes; fit_merge_cost.py
 // trains and calls it.
 //
 //   fit_merge_cost prepare DATA_DIR VARIANT FOLDER [NAME=VALUE...]  analyzes all models once, for tune_costs
@@ -115,8 +115,8 @@ double agreement(const Model& model, const WCS::internal::Region_graph& graph, c
   return count > 0. ? sum / count : 0.5;
 }
 
-/// writes one row for each merge that is judged on the way of a set of patches down to one region, by the default's cost: model,
-/// weight, target, features.
+/// writes one row for each merge that is judged on the way of a set of patches down to one region, by the weighted
+/// cost: model, weight, target, features.
 void write_samples(const Model& model, const WCS::internal::Patch_set& set, std::ofstream& out)
 {
   const WCS::internal::Shape_analysis& shape = *model.shape;
@@ -254,8 +254,7 @@ int run(const std::vector<std::string>& arguments)
   else if (is("samples", 3))
     samples(arguments[1], arguments[2], arguments[3], changed({}));
   else if (is("score", 3))
-    score(arguments[1], arguments[2], Tree_tables(arguments[3]),
-          changed(WCS::Parameters::fitted()));
+    score(arguments[1], arguments[2], Tree_tables(arguments[3]), changed({}));
   else
     throw std::invalid_argument("see the head of fit_merge_cost.cpp for the calls");
   return 0;

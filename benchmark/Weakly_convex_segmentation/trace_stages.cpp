@@ -5,7 +5,7 @@
 //
 //   trace_stages SHAPE TRACE.json [PRESET] [NAME=VALUE...]
 //
-// SHAPE is a mesh file or a shape of make_shapes, PRESET default, paper or fitted. All elements are faces,
+// SHAPE is a mesh file or a shape of make_shapes, PRESET default, training_free or paper. All elements are faces,
 // numbered in input order; lengths are in units of the input.
 
 #include "common/set_parameter.h"
@@ -56,11 +56,9 @@ WCS::Parameters read_parameters(const std::vector<std::string>& words)
 {
   WCS::Parameters parameters;
   for (const std::string& word : words)
-    if (word == "paper")
-      parameters = WCS::Parameters::paper();
-    else if (word == "fitted")
-      parameters = WCS::Parameters::fitted();
-    else if (word != "default")
+    if (word.find('=') == std::string::npos)
+      parameters = WCS::Parameters::preset(word);
+    else
       Named_parameters::set_parameter(parameters, word);
   return parameters;
 }
@@ -160,7 +158,8 @@ int main(int argc, char** argv)
   try
   {
     if (argc < 3)
-      throw std::invalid_argument("give SHAPE TRACE.json [default|paper|fitted] [NAME=VALUE...]");
+      throw std::invalid_argument(
+          "give SHAPE TRACE.json [default|training_free|paper] [NAME=VALUE...]");
     const Json json = trace(read_mesh(argv[1]), read_parameters({argv + 3, argv + argc}));
     Shape_io::Atomic_file file(argv[2]);
     file.stream() << json.dump() << '\n';

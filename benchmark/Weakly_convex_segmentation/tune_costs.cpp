@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random search for the constants of the default's merge cost on labeled shapes that
+// Random search for the constants of the merge cost of `training_free` on labeled shapes that
 // `fit_merge_cost prepare` has analyzed: a trial takes two milliseconds a model. Borders are not refined
 // here, unless for the last line. What is sought is a low mean 1 - Rand Index with people's number of
 // parts, and in no category a higher one than the best of other tools.
@@ -210,7 +210,7 @@ int run(const std::vector<std::string>& arguments)
 {
   if (arguments.size() < 4)
     throw std::invalid_argument("usage: tune_costs FOLDER,... TRIALS SEED HALF [NAME=VALUE ...]");
-  WCS::Parameters start;
+  WCS::Parameters start = WCS::Parameters::training_free();
   std::vector<Knob> knobs;
   for (std::size_t i = 4; i < arguments.size(); ++i)
   {

@@ -119,11 +119,38 @@ BOOST_AUTO_TEST_CASE(the_order_of_the_segmentations_does_not_matter)
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_is_no_part_to_any_vote_is_none)
+{
+  // between two places of a border, three points are with one side to a half of the votes, and with the other one to
+  // the rest: on average they are with neither
+  const Labels first = runs({{0, 53}, {1, 50}}), second = runs({{0, 50}, {1, 53}});
+  const Labels alone = runs({{0, 50}, {2, 3}, {1, 50}});
+  std::vector<Labels> cuts = {first, second, first, second, alone};
+  for (int more = 0; more < 4; ++more, cuts.push_back(alone))
+  {
+    const Labels agreed = agreed_labels(cuts, 0.);
+    const std::size_t parts = std::set<int>(agreed.begin(), agreed.end()).size();
+    BOOST_CHECK_EQUAL(parts, 2 * 4 > cuts.size() ? 2u : 3u);
+  }
+  BOOST_CHECK(are_one_partition(agreed_labels({alone, first, alone, second, alone}, 0.), alone));
+  // with probabilities, too; what is with neither to all stays
+  const Votes with_first = votes_of_matrix({{1., .9, 0.}, {.9, 1., .2}, {0., .2, 1.}});
+  const Votes with_second = votes_of_matrix({{1., .2, 0.}, {.2, 1., .9}, {0., .9, 1.}});
+  const Votes with_neither = votes_of_matrix({{1., .4, 0.}, {.4, 1., .4}, {0., .4, 1.}});
+  const auto parts = [](const std::vector<Votes>& votes)
+  {
+    const Labels agreed = consensus_labels(votes, 0.6, 0.);
+    return std::set<int>(agreed.begin(), agreed.end()).size();
+  };
+  BOOST_CHECK_EQUAL(parts({with_first, with_second}), 2u);
+  BOOST_CHECK_EQUAL(parts({with_neither, with_neither}), 3u);
+}
+
 BOOST_AUTO_TEST_CASE(small_segments_join_what_they_agree_with_most)
 {
-  // three points that are once with the first, once with the second and once on their own
-  const std::vector<Labels> segmentations = {runs({{0, 53}, {1, 50}}), runs({{0, 50}, {1, 53}}),
-                                             runs({{0, 50}, {2, 3}, {1, 50}})};
+  // three points that are once with the first and twice on their own
+  const std::vector<Labels> segmentations = {
+      runs({{0, 53}, {1, 50}}), runs({{0, 50}, {2, 3}, {1, 50}}), runs({{0, 50}, {2, 3}, {1, 50}})};
   const Labels all = agreed_labels(segmentations, 0.);
   BOOST_CHECK_EQUAL(std::set<int>(all.begin(), all.end()).size(), 3u);
   const Labels large = agreed_labels(segmentations, 4.);
@@ -203,10 +230,10 @@ BOOST_AUTO_TEST_CASE(a_tree_votes_by_the_merge_that_joins_two_regions)
 
 BOOST_AUTO_TEST_CASE(merges_of_a_shape_are_judged_once_each)
 {
-  const auto shape = analyze_shape(points_of_mesh(Shape_generator::make_mesh("dumbbell", 3000)),
-                                   Parameters::fitted(), {});
+  const auto shape =
+      analyze_shape(points_of_mesh(Shape_generator::make_mesh("dumbbell", 3000)), Parameters(), {});
   const Patch_set& set = shape->patch_sets.front();
-  const Judged_merges tree = judge_patches(*shape, set, Parameters::fitted(), {}, learned_trees());
+  const Judged_merges tree = judge_patches(*shape, set, Parameters(), {}, learned_trees());
   BOOST_CHECK_GE(tree.number_of_regions, 3u);
   BOOST_CHECK_LT(tree.number_of_regions, set.patches.size());
   BOOST_CHECK_EQUAL(tree.merges.size() + 1, tree.number_of_regions);
@@ -257,7 +284,7 @@ BOOST_AUTO_TEST_CASE(the_merge_tree_has_the_segments_that_are_agreed_on)
     const auto mesh = Shape_generator::make_mesh(name, 8000);
     for (const bool fitted : {false, true})
     {
-      Parameters parameters = fitted ? Parameters::fitted() : Parameters();
+      Parameters parameters = fitted ? Parameters() : Parameters::training_free();
       parameters.refinement = Refinement_rule::NONE;
       parameters.number_of_patch_sets = 4;
       const Result result = segmented(mesh, parameters);

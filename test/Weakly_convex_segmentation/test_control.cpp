@@ -137,7 +137,8 @@ bool equal(const Result& a, const Result& b)
   return true;
 }
 
-const std::vector<Parameters> presets = {Parameters(), Parameters::paper(), Parameters::fitted()};
+const std::vector<Parameters> presets = {Parameters(), Parameters::paper(),
+                                         Parameters::training_free()};
 
 } // namespace
 

@@ -147,14 +147,15 @@ BOOST_AUTO_TEST_CASE(parts_under_much_noise_are_those_of_the_shape)
     {
       const auto mesh = Shape_generator::make_mesh(name, 12000);
       const Raw_shape rough = faces_of_mesh(shaken(mesh, 0.03, 6));
-      Parameters parameters;
-      const auto error = [&](const Raw_shape& raw) {
+      const auto error = [&](const Raw_shape& raw, const Parameters& parameters) {
         return rand_distance(Compiled_core::segment_points(raw, parameters, {}).labels,
                              mesh.labels);
       };
-      BOOST_CHECK_LT(error(rough), error(faces_of_mesh(mesh)) + 0.06);
+      for (const Parameters& preset : {Parameters(), Parameters::training_free()})
+        BOOST_CHECK_LT(error(rough, preset), error(faces_of_mesh(mesh), preset) + 0.06);
+      Parameters parameters = Parameters::training_free(); // the default bears some noise by itself
       parameters.denoise = false;
-      BOOST_CHECK_GT(error(rough), 0.15);
+      BOOST_CHECK_GT(error(rough, parameters), 0.15);
     }
   }
 }

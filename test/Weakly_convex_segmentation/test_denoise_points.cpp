@@ -199,13 +199,17 @@ BOOST_AUTO_TEST_CASE(parts_of_a_rough_mesh_are_those_of_the_smooth_one)
     {
       const auto smooth = points_of_mesh(Shape_generator::make_mesh(name, 6000));
       const auto rough = points_of_mesh(shaken(Shape_generator::make_mesh(name, 6000), 0.006, 4));
-      Parameters parameters;
-      const auto wanted = Compiled_core::segment_points(smooth, parameters, {}).labels;
-      BOOST_CHECK_LT(
-          rand_distance(Compiled_core::segment_points(rough, parameters, {}).labels, wanted), 0.06);
-      parameters.denoise = false;
-      BOOST_CHECK_GT(
-          rand_distance(Compiled_core::segment_points(rough, parameters, {}).labels, wanted), 0.2);
+      const auto moved = [&](const Parameters& parameters, const bool denoise)
+      {
+        Parameters for_rough = parameters;
+        for_rough.denoise = denoise;
+        return rand_distance(Compiled_core::segment_points(rough, for_rough, {}).labels,
+                             Compiled_core::segment_points(smooth, parameters, {}).labels);
+      };
+      for (const Parameters& preset : {Parameters(), Parameters::training_free()})
+        BOOST_CHECK_LT(moved(preset, true), 0.06);
+      BOOST_CHECK_GT(moved(Parameters::training_free(), false),
+                     0.2); // the default bears some noise
     }
   }
 }

@@ -35,7 +35,8 @@ using WCS::Result;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Polygon = std::vector<std::size_t>;
 
-const std::vector<Parameters> presets = {Parameters(), Parameters::paper(), Parameters::fitted()};
+const std::vector<Parameters> presets = {Parameters(), Parameters::paper(),
+                                         Parameters::training_free()};
 
 /// segments with all presets; all points get a label
 void check_all_labeled(const Raw_shape& raw, const std::string& what)

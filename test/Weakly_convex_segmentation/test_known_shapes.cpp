@@ -160,22 +160,22 @@ BOOST_AUTO_TEST_CASE(scans_from_more_sides_come_near_to_the_complete_shape)
   }
 }
 
+// by the default and by the weighted cost alone
+const std::vector<Expected> expected_of_all = {
+    {"sphere", 1, 1, 0.},        {"box", 1, 1, 0.},       {"thin_plate", 1, 1, 0.},
+    {"two_spheres", 2, 2, 0.05}, {"dumbbell", 2, 3, 0.2}, {"table", 5, 5, 0.03},
+    {"chair", 4, 9, 0.1},        {"cup", 2, 8, 0.13},     {"airplane", 4, 10, 0.1},
+    {"pliers", 3, 8, 0.1},       {"hand", 5, 9, 0.1},     {"octopus", 9, 30, 0.12},
+    {"figure", 6, 20, 0.2}};
+
 BOOST_AUTO_TEST_CASE(default_preset_finds_known_parts)
 {
-  check_expected({{"sphere", 1, 1, 0.},
-                  {"box", 1, 1, 0.},
-                  {"thin_plate", 1, 1, 0.},
-                  {"two_spheres", 2, 2, 0.05},
-                  {"dumbbell", 2, 3, 0.2},
-                  {"table", 5, 5, 0.03},
-                  {"chair", 4, 9, 0.1},
-                  {"cup", 2, 8, 0.13},
-                  {"airplane", 4, 10, 0.1},
-                  {"pliers", 3, 8, 0.1},
-                  {"hand", 5, 9, 0.1},
-                  {"octopus", 9, 30, 0.12},
-                  {"figure", 6, 20, 0.2}},
-                 Parameters());
+  check_expected(expected_of_all, Parameters());
+}
+
+BOOST_AUTO_TEST_CASE(training_free_preset_finds_known_parts)
+{
+  check_expected(expected_of_all, Parameters::training_free());
 }
 
 BOOST_AUTO_TEST_CASE(paper_preset_finds_known_parts)
@@ -190,18 +190,6 @@ BOOST_AUTO_TEST_CASE(paper_preset_finds_known_parts)
                   {"octopus", 9, 25, 0.06},
                   {"figure", 6, 30, 0.2}},
                  Parameters::paper(), 4);
-}
-
-BOOST_AUTO_TEST_CASE(fitted_preset_finds_known_parts)
-{
-  check_expected({{"sphere", 1, 3, 0.3},
-                  {"two_spheres", 2, 4, 0.1},
-                  {"dumbbell", 3, 4, 0.1},
-                  {"table", 5, 8, 0.1},
-                  {"airplane", 4, 14, 0.15},
-                  {"octopus", 9, 25, 0.12},
-                  {"figure", 6, 20, 0.2}},
-                 Parameters::fitted());
 }
 
 BOOST_AUTO_TEST_CASE(parts_are_near_to_the_truth_on_average)

@@ -63,13 +63,6 @@ Parameters narrow_cone()
   return parameters;
 }
 
-Parameters preset(const std::string& name)
-{
-  return name == "fitted"  ? Parameters::fitted()
-         : name == "paper" ? Parameters::paper()
-                           : Parameters();
-}
-
 std::unique_ptr<Shape_analysis> analyzed(const Shape_generator::Labeled_mesh& shape,
                                          const Parameters& parameters)
 {
@@ -170,9 +163,9 @@ BOOST_AUTO_TEST_CASE(given_diameters_replace_nothing_but_diameters)
 // With our own diameters given back nothing changes: neither closure nor anything else is lost.
 BOOST_AUTO_TEST_CASE(own_diameters_that_are_given_back_change_nothing)
 {
-  for (const char* name : {"default", "fitted"}) BOOST_TEST_CONTEXT(name)
+  for (const char* name : {"default", "training_free"}) BOOST_TEST_CONTEXT(name)
     {
-      Parameters parameters = preset(name);
+      Parameters parameters = Parameters::preset(name);
       const auto shape = Shape_generator::make_mesh("airplane", 1500); // all points have a diameter
       const auto own = analyzed(shape, parameters);
       std::vector<double> diameters(shape.faces.size(), 0.);
@@ -195,13 +188,13 @@ BOOST_AUTO_TEST_CASE(own_diameters_that_are_given_back_change_nothing)
 
 BOOST_AUTO_TEST_CASE(all_presets_have_sensible_parts_with_diameters_of_cgal)
 {
-  for (const char* name : {"default", "fitted", "paper"})
+  for (const char* name : {"default", "training_free", "paper"})
     for (const char* shape_name : {"two_spheres", "dumbbell", "hand"})
       BOOST_TEST_CONTEXT(name << " " << shape_name)
       {
         const auto shape = Shape_generator::make_mesh(shape_name, 4000);
         const Mesh mesh = mesh_of(shape);
-        Parameters parameters = preset(name);
+        Parameters parameters = Parameters::preset(name);
         Segmenter<> segmenter(mesh, parameters);
         const double usual = rand_distance(segmenter.segment(parameters).labels, shape.labels);
         parameters.diameter = Diameter_rule::GIVEN;

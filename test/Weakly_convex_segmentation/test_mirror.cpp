@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(both_sides_of_a_shape_are_segmented_alike)
         Listening listening;
         Run_control control;
         control.visitor = &listening;
-        Parameters parameters = is_fitted ? Parameters::fitted() : Parameters();
+        Parameters parameters = is_fitted ? Parameters() : Parameters::training_free();
         const Result result = Compiled_core::segment_points(raw, parameters, control);
         BOOST_REQUIRE(result.symmetry_plane.has_value());
         BOOST_REQUIRE_EQUAL(listening.planes.size(), 1u);

@@ -52,7 +52,7 @@ std::string refusal(const Parameters& parameters)
 
 std::string refusal(const std::string& name, const double value)
 {
-  Parameters parameters;
+  Parameters parameters = Parameters::training_free(); // whose thresholds have the widest ranges
   Named_parameters::set(parameters, name, value);
   return refusal(parameters);
 }
@@ -82,7 +82,7 @@ std::vector<Setting> settings()
           {"denoise", "default", "rough mesh", 0.},
           {"denoise", "default", "rough dumbbell", 0.},
           {"grazing_tolerance", "default", "dumbbell", 30.},
-          {"maximum_rays_per_pair", "default", "dumbbell", 12.},
+          {"maximum_rays_per_pair", "training_free", "dumbbell", 12.},
           {"merging", "default", "dumbbell", 0., {"merging_threshold=1"}},
           {"diameter", "default", "dumbbell", 0.},
           {"refinement", "default", "hand", 0.},
@@ -92,16 +92,16 @@ std::vector<Setting> settings()
           {"fusion_thresholds[2]", "paper", "hand", 0.2},
           {"diameter_cone_angle", "default", "dumbbell", 20.},
           {"seam_concavity_tolerance", "default", "dumbbell", 60.},
-          {"merging_cost.concavity_weight", "default", "dumbbell", 0.},
-          {"merging_cost.concavity_saturation", "default", "dumbbell", 0.},
-          {"merging_cost.diameter_weight", "default", "dumbbell", 0.},
-          {"merging_cost.smaller_closure_weight", "default", "dumbbell", 0.},
-          {"merging_cost.larger_closure_weight", "default", "dumbbell", 0.},
-          {"merging_cost.seam_extent_weight", "default", "dumbbell", 0.},
-          {"merging_cost.diameter_spread_weight", "default", "dumbbell", 0.},
-          {"merging_cost.continuation_weight", "default", "octopus", 0.},
-          {"fusion_threshold", "default", "dumbbell", 0.1},
-          {"merging_threshold", "default", "dumbbell", 100.},
+          {"merging_cost.concavity_weight", "training_free", "dumbbell", 0.},
+          {"merging_cost.concavity_saturation", "training_free", "dumbbell", 0.},
+          {"merging_cost.diameter_weight", "training_free", "dumbbell", 0.},
+          {"merging_cost.smaller_closure_weight", "training_free", "dumbbell", 0.},
+          {"merging_cost.larger_closure_weight", "training_free", "dumbbell", 0.},
+          {"merging_cost.seam_extent_weight", "training_free", "dumbbell", 0.},
+          {"merging_cost.diameter_spread_weight", "training_free", "dumbbell", 0.},
+          {"merging_cost.continuation_weight", "training_free", "octopus", 0.},
+          {"fusion_threshold", "training_free", "dumbbell", 0.1},
+          {"merging_threshold", "training_free", "dumbbell", 100.},
           {"minimum_segment_share", "default", "dumbbell", 0.4},
           {"symmetry_tolerance", "default", "figure", 0.},
           {"maximum_number_of_segments", "default", "dumbbell", 1.},
@@ -110,9 +110,7 @@ std::vector<Setting> settings()
 
 Parameters preset_of(const Setting& setting)
 {
-  Parameters parameters = setting.preset == "paper"    ? Parameters::paper()
-                          : setting.preset == "fitted" ? Parameters::fitted()
-                                                       : Parameters();
+  Parameters parameters = Parameters::preset(setting.preset);
   for (const std::string& other : setting.others)
     Named_parameters::set_parameter(parameters, other);
   return parameters;
@@ -209,7 +207,7 @@ std::vector<double> numbers(const Result& result)
 
 BOOST_AUTO_TEST_CASE(presets_are_in_range)
 {
-  for (const Parameters& preset : {Parameters(), Parameters::paper(), Parameters::fitted()})
+  for (const Parameters& preset : {Parameters(), Parameters::paper(), Parameters::training_free()})
     BOOST_CHECK_EQUAL(refusal(preset), "");
   const Parameters paper = Parameters::paper();
   BOOST_CHECK((paper.fusion_thresholds == std::vector<double>{0.9, 0.8, 0.7}));
@@ -248,13 +246,14 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range_are_refused_by_name)
     }
   }
   // probabilities and relative distances are at most 1
-  Parameters learned = Parameters::fitted();
+  Parameters learned;
   learned.fusion_threshold = 1.1;
   BOOST_CHECK_NE(refusal(learned).find("fusion_threshold"), std::string::npos);
   for (const Merging_rule rule : {Merging_rule::PAPER, Merging_rule::FITTED})
   {
     Parameters parameters;
     parameters.merging = rule;
+    parameters.merging_threshold = 1.1;
     BOOST_CHECK_NE(refusal(parameters).find("merging_threshold"), std::string::npos);
   }
   // a run refuses them too

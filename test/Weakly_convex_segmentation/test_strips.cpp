@@ -152,6 +152,23 @@ BOOST_AUTO_TEST_CASE(a_strip_that_is_not_much_smaller_than_its_neighbors_stays)
   BOOST_TEST(points_of(square.after_absorbing(labels), 2).size() == points_of(labels, 2).size());
 }
 
+BOOST_AUTO_TEST_CASE(what_is_all_border_goes_to_a_neighbor)
+{
+  // from one edge of the square to the other, so that its outline is two lines, like that of a ring
+  const Square square;
+  const auto across = [&](const double half_width)
+  {
+    return square.labels([&](const double x, double)
+                         { return std::abs(x - 0.5) < half_width ? 2
+                                  : x < 0.5                      ? 0
+                                                                 : 1; });
+  };
+  const std::vector<int> thin = across(0.011), wide = across(0.05);
+  BOOST_REQUIRE(!points_of(thin, 2).empty());
+  BOOST_TEST(points_of(square.after_absorbing(thin), 2).empty());
+  BOOST_TEST(square.after_absorbing(wide) == wide);
+}
+
 BOOST_AUTO_TEST_CASE(lines_that_come_near_each_other_are_two)
 {
   const Square square;

@@ -58,9 +58,9 @@ po::options_description described_options(Options& options, Numbers& numbers)
   add("transfer", po::value(&options.dense_file)->value_name("DENSE.ply"),
       "give all outputs for this shape instead, each point or face with the part of INPUT that it "
       "is nearest to");
-  add("preset", po::value(&options.preset)->value_name("default|paper|fitted"),
-      "parameters: the best known (default), those of the paper, or a cost fitted to people's "
-      "parts");
+  add("preset", po::value(&options.preset)->value_name("default|training_free|paper"),
+      "parameters: the best known, which are fitted to people's parts (default), a weighted cost "
+      "without that (training_free), or those of the paper");
   add("stage", po::value(&options.stage)->value_name("patches|components|segments"),
       "granularity of the labels (default: segments)");
   add("diameters", po::value(&options.diameters)->value_name("own|cgal"),
@@ -136,12 +136,7 @@ void check_files(const po::variables_map& given, const Options& options)
 // Carries the given words and numbers over to the parameters.
 void apply(const Numbers& numbers, Options& options)
 {
-  if (options.preset == "paper")
-    options.parameters = WCS::Parameters::paper();
-  else if (options.preset == "fitted")
-    options.parameters = WCS::Parameters::fitted();
-  else if (options.preset != "default")
-    refuse("--preset is '" + options.preset + "', give default, paper or fitted");
+  options.parameters = WCS::Parameters::preset(options.preset);
 
   if (options.stage == "patches")
     options.level = WCS::Level::PATCHES;

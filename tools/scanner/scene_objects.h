@@ -37,8 +37,7 @@ struct Options
   double highest = 0.6;           // what is farther above the plane is no object on it
   double gap = 0.014;             // pieces farther apart than this are different objects
   std::size_t smallest = 80;      // pieces of fewer cells are no objects
-  // on noisy one-sided data the fitted cost cuts far less too often than the default's
-  WCS::Parameters parameters = with_depth_noise(WCS::Parameters::fitted());
+  WCS::Parameters parameters = with_depth_noise({});
 };
 
 struct Scene

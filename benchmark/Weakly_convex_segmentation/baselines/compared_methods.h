@@ -107,8 +107,7 @@ inline std::vector<Labeling> segment_by_preset(const Shape& shape, const std::st
 {
   Cpu_clock clock;
   const double begin = cpu_seconds();
-  const WCS::Result result =
-      segment(shape, name == "paper" ? WCS::Parameters::paper() : WCS::Parameters::fitted(), clock);
+  const WCS::Result result = segment(shape, WCS::Parameters::preset(name), clock);
   return {{name, result.labels, cpu_seconds() - begin}};
 }
 
@@ -222,7 +221,9 @@ inline std::vector<Method> methods()
   using Labelings = std::vector<Labeling>;
   return {{"default", segment_by_default, {"default", "components", "patches"}},
           {"paper", [](const Shape& s) { return segment_by_preset(s, "paper"); }, {"paper"}},
-          {"fitted", [](const Shape& s) { return segment_by_preset(s, "fitted"); }, {"fitted"}},
+          {"training_free",
+           [](const Shape& s) { return segment_by_preset(s, "training_free"); },
+           {"training_free"}},
           {"lines_of_sight",
            [](const Shape& s) { return segment_by_lines_of_sight(s, "lines_of_sight", 0); },
            {"lines_of_sight"}},

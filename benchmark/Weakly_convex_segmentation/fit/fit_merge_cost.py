@@ -2,7 +2,7 @@
 # Copyright (c) 2026  The Weakly_convex_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Fits the probabilities of the `fitted` preset to labeled shapes and writes them as a header.
+"""Fits the probabilities of the default preset to labeled shapes and writes them as a header.
 
     fit_merge_cost.py PROGRAM DATA_DIR WORK_DIR [--header FILE] [--variants mesh,mesh:1,surface]
 
@@ -143,7 +143,7 @@ def write_header(path, booster, comment):
                   "// clang-format off\n"
                   "namespace CGAL {\nnamespace Weakly_convex_segmentation {\n"
                   "namespace internal {\n\n"
-                  "/// returns the trees of the `fitted` preset.\n"
+                  "/// returns the trees of the default preset.\n"
                   "inline const Boosted_trees& learned_trees()\n{\n"
                   "  static constexpr std::uint16_t roots[] = {\n")
         out.write("\n".join(lines_of(map(str, roots))) + "};\n")

@@ -25,7 +25,7 @@ COMPARED = ("randomized cuts (told)", "shape diameter")
 CLUSTERING, TOLD = "lines_of_sight", {"paper": "lines_of_sight_told_paper", "default": "lines_of_sight_told"}
 CONVEXITY_SHOWN = ("Human", "Ant", "Octopus", "Bird", "Bust", "Fourleg")
 # neither ours nor a method to segment with
-NOT_OTHERS = ("people", "default", "paper", "fitted", "components", "patches", "one_segment")
+NOT_OTHERS = ("people", "default", "paper", "training_free", "components", "patches", "one_segment")
 
 
 def others(scores, preset):
@@ -134,8 +134,9 @@ def metrics_section(scores):
         verdicts,
         [
             f"<p>{len(scores.models)} meshes, all methods that are measured here; <i>published</i> values are of all 380 "
-            "meshes and read off charts. GCEa and LCEa are the global and local consistency errors. The constants of "
-            "the default, the trees of fitted and the tuned settings of others were found on meshes of these.</p>",
+            "meshes and read off charts. GCEa and LCEa are the global and local consistency errors. The "
+            "trees of the default, the constants of training_free and the tuned settings of others were found on meshes "
+            "of these.</p>",
             chart(plots.overall_bars(scores)),
             overall_table(scores),
         ],

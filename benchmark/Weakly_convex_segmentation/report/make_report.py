@@ -243,7 +243,7 @@ def page(out):
         f"<p>{len(scores.models)} models of the Princeton Segmentation Benchmark "
         f"({plots.size_note(scores)}), {len(scores.categories)} categories. Means over a model's "
         "people, a category's models, the categories; lower is better but for convexity. The "
-        "default's constants and the fitted cost were found on the odd-numbered models, as were the "
+        "default's trees and the constants of training_free were found on the odd-numbered models, as were the "
         "settings that are called tuned. What is <i>published</i> is not measured here.</p>",
         f"<ul>{notes}</ul>",
         "<h2>Overall</h2>",

@@ -26,7 +26,7 @@ def as_png(figure):
 def color_of(method):
     if method == "people":
         return "#444444"
-    if method in ("default", "fitted", "paper"):
+    if method in ("default", "training_free", "paper"):
         return "#d62728"
     if method in ("components", "patches"):
         return "#f4a3a3"
@@ -75,7 +75,7 @@ def category_bars(scores):
     """1 - RI of every category: people, ours, and the best others."""
     chosen = [
         m
-        for m in ("people", "default", "fitted", "paper", "cpc", "sdf_tuned", "lines_of_sight")
+        for m in ("people", "default", "training_free", "paper", "cpc", "sdf_tuned", "lines_of_sight")
         if m in scores.methods and scores.values(m, "rand_error")
     ]
     figure, axes = plt.subplots(figsize=(17, 5))

@@ -12,7 +12,7 @@ from published import CATEGORIES
 METHODS = {
     "people": "people",
     "default": "ours, default",
-    "fitted": "ours, fitted",
+    "training_free": "ours, training free",
     "paper": "ours, paper",
     "components": "components alone",
     "patches": "patches alone",

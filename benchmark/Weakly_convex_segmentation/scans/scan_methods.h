@@ -40,29 +40,20 @@ struct Method
   std::string text, name, settings;
 };
 
+inline bool is_ours(const Method& m)
+{
+  return m.name == "default" || m.name == "training_free" || m.name == "paper";
+}
+
 inline Method method_from(const std::string& text)
 {
   const std::size_t at = text.find('@');
   Method method{text, text.substr(0, at), at == std::string::npos ? "" : text.substr(at + 1)};
   const bool has_settings = method.name == "sdf" || method.name == "lccp" || method.name == "cpc";
-  const bool is_ours =
-      method.name == "default" || method.name == "fitted" || method.name == "paper";
-  if (!has_settings && !(is_ours && method.settings.empty()))
+  if (!has_settings && !(is_ours(method) && method.settings.empty()))
     throw std::invalid_argument("there is no method '" + text +
-                                "'; take default, fitted, paper, sdf, lccp, cpc");
+                                "'; take default, training_free, paper, sdf, lccp, cpc");
   return method;
-}
-
-inline bool is_ours(const Method& m)
-{
-  return m.name == "default" || m.name == "fitted" || m.name == "paper";
-}
-
-inline WCS::Parameters preset(const std::string& name)
-{
-  return name == "paper"    ? WCS::Parameters::paper()
-         : name == "fitted" ? WCS::Parameters::fitted()
-                            : WCS::Parameters();
 }
 
 inline std::vector<int> segment_by_us(const Scan& scan, const WCS::Parameters& parameters)

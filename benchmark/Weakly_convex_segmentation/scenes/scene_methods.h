@@ -87,13 +87,14 @@ inline std::vector<int> segment_by_pcl(const Scene_objects::Scene& scene,
 inline void check_name(const std::string& name)
 {
   for (const char* known :
-       {"default", "fitted", "pieces", "lccp", "cpc", "lccp_whole", "cpc_whole"})
+       {"default", "training_free", "pieces", "lccp", "cpc", "lccp_whole", "cpc_whole"})
     if (name == known) return;
-  throw std::invalid_argument("there is no method '" + name +
-                              "'; take default, fitted, pieces, lccp, cpc, lccp_whole, cpc_whole");
+  throw std::invalid_argument(
+      "there is no method '" + name +
+      "'; take default, training_free, pieces, lccp, cpc, lccp_whole, cpc_whole");
 }
 
-/// \param method default, fitted (their parameters are in the options), pieces (separated ones are not
+/// \param method default, training_free (their parameters are in the options), pieces (separated ones are not
 /// divided), or lccp, cpc, lccp_whole, cpc_whole, each with settings behind an @ or with the above
 inline Segments segment(const std::vector<Scene_objects::Point>& points, const std::string& method,
                         const Scene_objects::Options& options,

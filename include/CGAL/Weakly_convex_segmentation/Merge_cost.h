@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// The cost of the default preset: a weighted sum of visibility, seam concavity, volume and closure, see
+/// The cost of the preset `Parameters::training_free()`: a weighted sum of visibility, seam concavity, volume and closure, see
 /// `Merging_cost`.
 ///
 /// \cgalModels `WeaklyConvexSegmentationMergeCost`
@@ -30,7 +30,7 @@ class Weighted_merge_cost
 
 public:
   /// takes the weights and thresholds of `parameters`.
-  explicit Weighted_merge_cost(const Merging_parameters& parameters = {})
+  explicit Weighted_merge_cost(const Merging_parameters& parameters = Parameters::training_free())
     : m_weights(parameters.merging_cost), m_fusion_threshold(parameters.fusion_threshold),
       m_merging_threshold(parameters.merging_threshold)
   {}
@@ -43,7 +43,7 @@ public:
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// The probability that people cut between two regions, by the trees of the preset `Parameters::fitted()`.
+/// The probability that people cut between two regions, by the trees of the default preset.
 ///
 /// \cgalModels `WeaklyConvexSegmentationMergeCost`
 class Learned_merge_cost
@@ -54,7 +54,7 @@ public:
   static constexpr bool uses_cut_probability = true;
 
   /// takes the thresholds of `parameters`.
-  explicit Learned_merge_cost(const Merging_parameters& parameters = Parameters::fitted())
+  explicit Learned_merge_cost(const Merging_parameters& parameters = {})
     : m_fusion_threshold(parameters.fusion_threshold),
       m_merging_threshold(parameters.merging_threshold)
   {}

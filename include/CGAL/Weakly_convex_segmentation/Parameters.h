@@ -38,7 +38,7 @@ enum class Merging_rule
 {
   PAPER, ///< fusion thresholds, signature distance, seam sets and flat components (sections 4, 5)
   COST,  ///< one weighted cost of visibility, seam concavity, volume and closure
-  FITTED ///< probabilities fitted to how people cut shapes of 19 kinds, see `Parameters::fitted()`
+  FITTED ///< probabilities that people make the merges of that cost, fitted to shapes of 19 kinds
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -185,17 +185,17 @@ struct Diameter_parameters
 /// How patches become components and components become segments (sections 4 and 5).
 struct Merging_parameters
 {
-  Merging_rule merging = Merging_rule::COST; ///< criteria of the contraction
+  Merging_rule merging = Merging_rule::FITTED; ///< criteria of the contraction
   /// a seam edge is concave from this angle on (`epsilon`), degrees; `[0, 179]`
   double seam_concavity_tolerance = 10.2;
-  /// The highest cost at which patches become components; `[0, 1e6]`. With `Merging_rule::FITTED` it is the
-  /// probability that people cut between them, in `[0, 1]`; with `PAPER` it is not used.
-  double fusion_threshold = 1.0;
-  /// The highest cost at which components become segments; `[0, 1e6]`. With `Merging_rule::FITTED` it is the
-  /// probability that people cut between them, with `PAPER` the distance of their signatures relative to the
-  /// largest one (`sigma`), both in `[0, 1]`.
-  double merging_threshold = 1.482;
-  /// weights of `Merging_rule::COST`
+  /// The highest probability that people cut between patches that become components, in `[0, 1]`; with
+  /// `Merging_rule::COST` the highest cost, `[0, 1e6]`; with `PAPER` it is not used.
+  double fusion_threshold = 0.12;
+  /// The highest probability that people cut between components that become segments, in `[0, 1]`; with
+  /// `Merging_rule::COST` the highest cost, `[0, 1e6]`, with `PAPER` the distance of their signatures relative to the
+  /// largest one (`sigma`), `[0, 1]`.
+  double merging_threshold = 0.45;
+  /// weights of the cost, by which `Merging_rule::FITTED` orders the merges that it judges
   Merging_cost merging_cost = {2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
   /// `Merging_rule::PAPER`: the thresholds theta of the rounds of fusion, each in `[0, 1]`: 0.9, 0.8, 0.7
   std::vector<double> fusion_thresholds = internal::three_thetas();
@@ -223,7 +223,10 @@ struct Border_parameters
 /// \ingroup PkgWeaklyConvexSegmentationRef
 /// All parameters of the method, by stage: each stage takes its own.
 ///
-/// A default constructed object is the default preset, the best that we know; `paper()` follows
+/// A default constructed object is the default preset, the best that we know. It judges merges by how probable it
+/// is that people put the two regions together, fitted to people's segmentations of the 190 odd-numbered meshes of
+/// the Princeton Segmentation Benchmark: as meshes (with four seeds), as bare points, half of them, evenly sampled, as
+/// seen from one, two and four sides, and as a noisy depth camera sees them. `paper()` follows
 /// \cgalCite{cgal:kfkac-ssaca-14} sentence by sentence, see \ref wcsPaperPreset. Angles are in degrees; lengths are
 /// relative to the extent of the shape: the diameter of the smallest sphere about the centroid of
 /// the points that holds them all. One set of values serves all shapes. Ranges are given in brackets.
@@ -239,12 +242,16 @@ struct Parameters : Sampling_parameters,
   /// `grazing_tolerance` of 0.
   static Parameters paper();
 
-  /// returns the preset that judges the merges of the default's cost by how probable it is that people put the two
-  /// regions together. That is fitted to people's segmentations of the 190 odd-numbered meshes of the
-  /// Princeton Segmentation Benchmark: as meshes (with four seeds), as bare points, half of them, evenly
-  /// sampled, as seen from one, two and four sides, and as a noisy depth camera sees them. All else is as in
-  /// the default preset.
-  static Parameters fitted();
+  /// returns the preset that merges up to a threshold of a weighted cost of visibility, seam concavity, volume and
+  /// closure: no table of trees, a few constants that can be read and set. All else is as in the default preset.
+  static Parameters training_free();
+
+  /// returns the default preset by the name of its rule.
+  static Parameters fitted() { return {}; }
+
+  /// returns the preset of a name: `default` (or `fitted`), `training_free` or `paper`.
+  /// \throws std::invalid_argument if there is none of that name.
+  static Parameters preset(const std::string& name);
 
   /// checks all ranges; a segmentation does so before its first stage.
   /// \throws std::invalid_argument naming the first parameter that is out of its range.
@@ -278,13 +285,22 @@ inline Parameters Parameters::paper()
   return p;
 }
 
-inline Parameters Parameters::fitted()
+inline Parameters Parameters::training_free()
 {
   Parameters p;
-  p.merging = Merging_rule::FITTED;
-  p.fusion_threshold = 0.12;
-  p.merging_threshold = 0.5;
+  p.merging = Merging_rule::COST;
+  p.fusion_threshold = 1.0;
+  p.merging_threshold = 1.482;
   return p;
+}
+
+inline Parameters Parameters::preset(const std::string& name)
+{
+  if (name == "default" || name == "fitted") return {};
+  if (name == "training_free") return training_free();
+  if (name == "paper") return paper();
+  throw std::invalid_argument("there is no preset '" + name +
+                              "'; give default, training_free or paper");
 }
 
 namespace internal {

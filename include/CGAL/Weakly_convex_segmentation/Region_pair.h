@@ -59,7 +59,7 @@ public:
   /// how much the two are pieces of one tube that goes on straight, in `[0, 1]`
   double continuation() const { return m_measures.continuation(m_smaller, m_larger); }
 
-  /// the weighted sum that the default preset uses, or infinity once it is known to be over `limit`: then
+  /// the weighted sum of `Merging_cost`, or infinity once it is known to be over `limit`: then
   /// lines of sight are not cast
   double weighted_cost(const Merging_cost& weights, const double limit) const
   {

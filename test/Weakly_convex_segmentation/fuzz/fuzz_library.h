@@ -125,7 +125,7 @@ inline bool run(const std::uint8_t* data, const std::size_t size)
   const unsigned int kind = source.byte();
   const bool any = (kind & 4u) != 0;
   WCS::Parameters parameters = (kind & 8u) != 0    ? WCS::Parameters::paper()
-                               : (kind & 16u) != 0 ? WCS::Parameters::fitted()
+                               : (kind & 16u) != 0 ? WCS::Parameters::training_free()
                                                    : WCS::Parameters();
   parameters.number_of_patches = 10; // small shapes, many of them
   parameters.number_of_representatives = 300;

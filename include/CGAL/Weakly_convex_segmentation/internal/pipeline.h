@@ -45,7 +45,7 @@ struct Representative_labels
   std::vector<int> segments;
 };
 
-/// returns what a set of patches says: a cut by the cost, or the probabilities of the fitted preset.
+/// returns what a set of patches says: a cut by the cost, or the probabilities of its merges.
 inline Votes votes_of_set(const Shape_analysis& shape, const Patch_set& set,
                           const Parameters& parameters, const Run_control& control,
                           const Merge_cost& own_cost, const Boosted_trees& trees)

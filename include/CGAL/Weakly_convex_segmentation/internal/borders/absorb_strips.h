@@ -43,6 +43,7 @@ struct Outline
 {
   double area = 0., length = 0.;
   double crease_length = 0.;         ///< where the surface is folded, either way
+  bool has_inside = false;           ///< whether there are points without a neighbor beyond
   std::map<int, Common_border> with; ///< by the label of the other segment
 };
 
@@ -56,6 +57,7 @@ inline Outline outline_of(const Neighbor_graph& graph, const std::vector<int>& l
   {
     const double spacing = graph.spacing[i], of_edge = spacing / edges_of_length;
     outline.area += spacing * spacing / points_of_square;
+    const double before = outline.length;
     for (const Neighbor& edge : graph[i])
     {
       if (labels[edge.point] == labels[i]) continue;
@@ -65,6 +67,7 @@ inline Outline outline_of(const Neighbor_graph& graph, const std::vector<int>& l
       border.length += of_edge;
       border.cost += of_edge * border_cost(edge.concavity);
     }
+    outline.has_inside = outline.has_inside || outline.length == before;
   }
   return outline;
 }
@@ -139,7 +142,8 @@ inline bool is_strip(const Outline& outline)
   return std::count_if(outline.with.begin(), outline.with.end(), is_neighbor) > 1;
 }
 
-/// gives strips, smallest first, to the neighbor that they have the costliest border with, if that is larger.
+/// gives strips, and what is all border, smallest first, to the neighbor that they have the costliest border with, if
+/// that is larger.
 ///
 /// Complexity: O(n log n) in the number of points.
 inline void absorb_strips(const Neighbor_graph& graph, std::vector<int>& labels)
@@ -155,7 +159,10 @@ inline void absorb_strips(const Neighbor_graph& graph, std::vector<int>& labels)
   {
     const std::vector<Index>& points = segments[size_and_label.second];
     const Outline outline = outline_of(graph, labels, points);
-    if (!is_strip(outline) || Border_loops(graph, labels, points).count() > 1) continue;
+    if (outline.with.empty()) continue;
+    if (outline.has_inside &&
+        (!is_strip(outline) || Border_loops(graph, labels, points).count() > 1))
+      continue;
     const int into =
         std::max_element(outline.with.begin(), outline.with.end(),
                          [](const auto& a, const auto& b) { return a.second.cost < b.second.cost; })

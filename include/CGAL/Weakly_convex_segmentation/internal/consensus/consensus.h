@@ -14,6 +14,7 @@
 // independently of each other, so most of them are right more often than each of them.
 
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/local_search.h>
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/torn_clusters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
@@ -65,35 +66,31 @@ inline Overlay overlay(const std::vector<Votes>& votes)
   return result;
 }
 
-/// returns how many pairs of points of each two classes are together, a mean over the votes.
-inline Eigen::MatrixXd pairs_together(const Overlay& classes, const std::vector<Votes>& votes)
+/// returns how many pairs of points of each two classes are together in the votes of one set.
+inline Eigen::MatrixXd pairs_together(const Overlay& classes, const std::vector<Votes>& votes,
+                                      const std::size_t set)
 {
   const auto count = static_cast<Eigen::Index>(classes.sizes.size());
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
-  for (std::size_t s = 0; s < votes.size(); ++s)
+  std::map<int, std::vector<int>> of_region;
+  for (int c = 0; c < static_cast<int>(count); ++c) of_region[classes.labels[c][set]].push_back(c);
+  const auto add =
+      [&](const std::vector<int>& first, const std::vector<int>& second, const double probability)
   {
-    std::map<int, std::vector<int>> of_region;
-    for (int c = 0; c < static_cast<int>(count); ++c) of_region[classes.labels[c][s]].push_back(c);
-    const auto add =
-        [&](const std::vector<int>& first, const std::vector<int>& second, const double probability)
+    for (const int a : first)
+      for (const int b : second) result(a, b) = probability * classes.sizes[a] * classes.sizes[b];
+  };
+  for (const auto& [region, members] : of_region)
+  {
+    add(members, members, 1.);
+    if (votes[set].together.empty()) continue;
+    for (const auto& [other, probability] : votes[set].together[region])
     {
-      for (const int a : first)
-        for (const int b : second) result(a, b) += probability;
-    };
-    for (const auto& [region, members] : of_region)
-    {
-      add(members, members, 1.);
-      if (votes[s].together.empty()) continue;
-      for (const auto& [other, probability] : votes[s].together[region])
-      {
-        const auto found = of_region.find(other); // refined borders may leave a region no point
-        if (found != of_region.end()) add(members, found->second, probability);
-      }
+      const auto found = of_region.find(other); // refined borders may leave a region no point
+      if (found != of_region.end()) add(members, found->second, probability);
     }
   }
-  const Eigen::Map<const Eigen::VectorXd> sizes(classes.sizes.data(), count);
-  return (result.array().colwise() * sizes.array()).rowwise() * sizes.transpose().array() /
-         static_cast<double>(votes.size());
+  return result;
 }
 
 /// returns where the mirror images of the points of each class lie: how many of a row's class in a column's. It is
@@ -216,21 +213,11 @@ private:
     }
   }
 
-  /// returns the cluster where most of the mirror images of a cluster's points lie, if it is about as large; else
-  /// the cluster itself.
-  int mirror_image(const int a) const
-  {
-    constexpr double most_ratio = 1.7;
-    Eigen::Index best = 0;
-    if (m_mirrored.row(a).maxCoeff(&best) <= 0.5 * m_sizes[a]) return a;
-    const double ratio = m_sizes[static_cast<std::size_t>(best)] / m_sizes[a];
-    return ratio < most_ratio && 1. < most_ratio * ratio ? static_cast<int>(best) : a;
-  }
   /// returns the images of two clusters if they are another pair; else a cluster twice.
   std::pair<int, int> mirror_images(const int a, const int b) const
   {
     if (m_mirrored.size() == 0) return {a, a};
-    const int c = mirror_image(a), d = mirror_image(b);
+    const int c = mirror_image(m_mirrored, m_sizes, a), d = mirror_image(m_mirrored, m_sizes, b);
     return std::minmax(a, b) == std::minmax(c, d) ? std::make_pair(a, a) : std::make_pair(c, d);
   }
 
@@ -246,14 +233,14 @@ private:
   With_image merge_with_image(const Candidate& merge, const int c, const int d,
                               const double least) const
   {
-    constexpr double sliver = 0.25; // of the size of its neighbors
     const bool has_c = c == merge.a || c == merge.b, has_d = d == merge.a || d == merge.b;
     if (has_c == has_d) return With_image::BOTH;
     const int other = has_c ? d : c, shared = has_c ? c : d;
     const double pairs = (m_sizes[merge.a] + m_sizes[merge.b]) * m_sizes[other];
     if (m_together(merge.a, other) + m_together(merge.b, other) > least * pairs)
       return With_image::BOTH;
-    return m_sizes[shared] < sliver * m_sizes[other] ? With_image::ALONE : With_image::NEITHER;
+    return m_sizes[shared] < largest_sliver * m_sizes[other] ? With_image::ALONE
+                                                             : With_image::NEITHER;
   }
 
   /// merges `b` into `a`.
@@ -303,18 +290,22 @@ inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double 
   const bool are_cuts = votes.front().together.empty();
   votes = with_mirrored(std::move(votes), image);
   const Overlay classes = overlay(votes);
-  const Eigen::MatrixXd together = pairs_together(classes, votes);
-  Consensus agreement(classes.sizes, together, mirrored_classes(classes, image));
+  Eigen::MatrixXd together = pairs_together(classes, votes, 0);
+  for (std::size_t s = 1; s < votes.size(); ++s) together += pairs_together(classes, votes, s);
+  together /= static_cast<double>(votes.size());
+  const Eigen::MatrixXd mirrored = mirrored_classes(classes, image);
+  Consensus agreement(classes.sizes, together, mirrored);
   agreement.merge_down_to(least);
-  if (!are_cuts) // where a majority of cuts decides, the search gains nothing
-  {
-    std::vector<int> clusters = agreement.clusters();
-    Class_moves(classes.sizes, together, least, clusters).run();
-    agreement = Consensus(classes.sizes, together, {});
-    agreement.merge_as(clusters);
-  }
+  std::vector<int> clusters = agreement.clusters();
+  // where a majority of cuts decides, the search gains nothing
+  if (!are_cuts) Class_moves(classes.sizes, together, least, clusters).run();
+  Torn_clusters torn(classes.sizes, mirrored, clusters);
+  for (std::size_t s = 0; s < votes.size(); ++s) torn.add_vote(pairs_together(classes, votes, s));
+  torn.join((std::max)(0.5, least)); // no part to most votes
+  agreement = Consensus(classes.sizes, std::move(together), {});
+  agreement.merge_as(clusters);
   agreement.absorb_smaller_than(minimum_size);
-  const std::vector<int> clusters = agreement.clusters();
+  clusters = agreement.clusters();
   std::vector<int> labels;
   labels.reserve(classes.of_point.size());
   for (const int c : classes.of_point) labels.push_back(clusters[c]);

@@ -9,7 +9,7 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_LEARNED_COST_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_LEARNED_COST_H
 
-// The fitted preset's criterion for fusion and merging: the probability that a person would have two
+// The default criterion for fusion and merging: the probability that a person would have two
 // points across a seam in one part, as boosted trees over the features of the pair.
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>

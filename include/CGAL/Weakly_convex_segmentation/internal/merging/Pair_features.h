@@ -61,7 +61,7 @@ public:
   /// fills `features` for two adjacent regions, in the order of `pair_feature_names()`.
   void compute(int a, int b, std::vector<float>& features);
 
-  /// the default's cost, the last feature: with constants of its own, so that a change of the default moves no
+  /// the weighted cost, the last feature: with constants of its own, so that a change of `Merging_cost` moves no
   /// table
   double weighted_cost(const int a, const int b) const
   {
@@ -285,7 +285,7 @@ inline void Pair_features::add_seam_shape(const Region& first, const Region& sec
   add_feature(f, std::abs(dot(axes_a.direction, axes_b.direction)));
 }
 
-/// Hand-made costs: two of few terms, and the default's. Trees meet kinds of shape that they were not
+/// Hand-made costs: two of few terms, and the weighted one. Trees meet kinds of shape that they were not
 /// fitted on with far fewer wrong merges when they know them.
 inline void Pair_features::add_costs(const int a, const int b, std::vector<float>& f)
 {

@@ -9,7 +9,7 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_REGION_COST_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_REGION_COST_H
 
-// The default's criterion for fusion and merging (sections 4 and 5): one cost of visibility, seam
+// The `training_free` criterion for fusion and merging (sections 4 and 5): one cost of visibility, seam
 // concavity and volume, and of whether the regions are complete: the surface of a part closes around its
 // volume, so lines inwards from a part end at the part itself. Half a limb ends at the other half.
 

@@ -120,7 +120,7 @@ public:
   /// region of a patch
   int region_of(const int patch) const { return m_sets.name_of(patch); }
 
-  /// measures the shapes of regions and seams for the default's and the fitted cost; before any merge.
+  /// measures the shapes of regions and seams for the weighted and the fitted cost; before any merge.
   void add_shapes(const Oriented_points& points, const Neighbor_graph& graph,
                   const Patches& patches, const std::vector<Diameter_sample>& samples);
   /// measures the concavity of seams at fixed distances for the fitted cost; before any merge.

@@ -10,7 +10,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_REGION_MOMENTS_H
 
 // Additive statistics of regions and of seams beyond those that the paper's criteria need: the
-// default's and the fitted merge cost judge by them.
+// weighted and the fitted merge cost judge by them.
 
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Symmetric_matrix3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>

@@ -9,7 +9,7 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_JUDGED_MERGES_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_MERGING_JUDGED_MERGES_H
 
-// The whole way from patches to one region by the default's cost, and for each merge on it how probable it is
+// The whole way from patches to one region by the weighted cost, and for each merge on it how probable it is
 // that people put its two regions together. That is asked once a merge, of regions as large as they get: what
 // a cost has to decide from parts of them, between many pairs, is decided when most is known.
 

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// returns the trees of the `fitted` preset.
+/// returns the trees of the default preset.
 inline const Boosted_trees& learned_trees()
 {
   static constexpr std::uint16_t roots[] = {

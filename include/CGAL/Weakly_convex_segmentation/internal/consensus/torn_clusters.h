@@ -1,0 +1,144 @@
+// Copyright (c) 2026  The Weakly_convex_segmentation authors.
+//
+// This file is part of Weakly_convex_segmentation, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Weakly_convex_segmentation authors
+
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_TORN_CLUSTERS_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_TORN_CLUSTERS_H
+
+// Clusters that are none to any vote: each has them with a neighbor, but not all with the same one. What lies between
+// two places of a border is so; on average it seems to belong nowhere.
+
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/number_labels.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Weakly_convex_segmentation {
+namespace internal {
+
+/// Up to this share of the size of its neighbor a cluster across a plane of reflection may go to one of two sides.
+constexpr double largest_sliver = 0.25;
+
+/// returns the cluster where most of the mirror images of a cluster's points lie, if it is about as large; else the
+/// cluster itself. `mirrored` has how many points of a row's cluster have them in a column's, or nothing.
+inline int mirror_image(const Eigen::MatrixXd& mirrored, const std::vector<double>& sizes,
+                        const int cluster)
+{
+  constexpr double most_ratio = 1.7;
+  if (mirrored.size() == 0) return cluster;
+  Eigen::Index best = 0;
+  if (mirrored.row(cluster).maxCoeff(&best) <= 0.5 * sizes[cluster]) return cluster;
+  const double ratio = sizes[static_cast<std::size_t>(best)] / sizes[cluster];
+  return ratio < most_ratio && 1. < most_ratio * ratio ? static_cast<int>(best) : cluster;
+}
+
+/// Joins torn clusters to those that they are with most, and their mirror images likewise.
+class Torn_clusters
+{
+public:
+  /// takes the number of points of each class, how many of a row's class have their mirror image in a column's, if
+  /// there are any, and the cluster of each class, in any numbers from 0 on.
+  Torn_clusters(const std::vector<double>& sizes, const Eigen::MatrixXd& mirrored,
+                std::vector<int>& clusters)
+    : m_clusters(clusters)
+  {
+    m_sizes.assign(number_labels(m_clusters), 0.);
+    for (std::size_t c = 0; c < sizes.size(); ++c) m_sizes[m_clusters[c]] += sizes[c];
+    const Eigen::MatrixXd images = mirrored.size() == 0 ? mirrored : sums(mirrored);
+    for (int c = 0; c < size(); ++c) m_image.push_back(mirror_image(images, m_sizes, c));
+  }
+
+  /// takes how many pairs of points of two classes are together in a vote.
+  void add_vote(const Eigen::MatrixXd& pairs) { m_together.push_back(sums(pairs)); }
+
+  /// joins a cluster, smallest first, where each vote's most likely neighbor is one with a probability of more than
+  /// `least`, on average over the votes, and no neighbor is so to all.
+  void join(const double least)
+  {
+    std::vector<int> by_size(m_sizes.size());
+    std::iota(by_size.begin(), by_size.end(), 0);
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [this](const int a, const int b) { return m_sizes[a] < m_sizes[b]; });
+    for (const int c : by_size)
+    {
+      const int home = m_sizes[c] > 0. ? home_of(c, least) : -1;
+      if (home < 0) continue;
+      const int image = m_image[c], image_of_home = m_image[home];
+      const bool is_across = image == c && image_of_home != home; // its home has a double
+      if (is_across && m_sizes[c] >= largest_sliver * m_sizes[home]) continue;
+      join_two(home, c);
+      if (image != c && image != home && image_of_home != c && m_sizes[image] > 0. &&
+          m_sizes[image_of_home] > 0. && image != image_of_home)
+        join_two(image_of_home, image);
+    }
+  }
+
+private:
+  int size() const { return static_cast<int>(m_sizes.size()); }
+
+  /// the sums of what classes have to clusters
+  Eigen::MatrixXd sums(const Eigen::MatrixXd& of_classes) const
+  {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size(), size());
+    for (Eigen::Index b = 0; b < of_classes.cols(); ++b)
+      for (Eigen::Index a = 0; a < of_classes.rows(); ++a)
+        result(m_clusters[a], m_clusters[b]) += of_classes(a, b);
+    return result;
+  }
+
+  /// the cluster that one is with most, if it is torn; else -1
+  int home_of(const int c, const double least) const
+  {
+    std::vector<double> most(m_together.size(), 0.);
+    std::pair<double, int> best(0., -1);
+    for (int other = 0; other < size(); ++other)
+    {
+      if (other == c || m_sizes[other] == 0.) continue;
+      double sum = 0.;
+      for (std::size_t s = 0; s < most.size(); ++s)
+      {
+        const double share = m_together[s](c, other) / (m_sizes[c] * m_sizes[other]);
+        most[s] = (std::max)(most[s], share);
+        sum += share;
+      }
+      best = (std::max)(best, {sum, other});
+    }
+    const double enough = least * static_cast<double>(most.size());
+    return best.first <= enough && std::accumulate(most.begin(), most.end(), 0.) > enough
+               ? best.second
+               : -1;
+  }
+  void join_two(const int into, const int from)
+  {
+    for (Eigen::MatrixXd& pairs : m_together)
+    {
+      pairs.row(into) += pairs.row(from);
+      pairs.col(into) += pairs.col(from);
+    }
+    m_sizes[into] += m_sizes[from];
+    m_sizes[from] = 0.;
+    for (int& cluster : m_clusters)
+      if (cluster == from) cluster = into;
+  }
+
+  std::vector<int>& m_clusters;            ///< of each class
+  std::vector<double> m_sizes;             ///< points in each cluster
+  std::vector<int> m_image;                ///< of each cluster, or itself
+  std::vector<Eigen::MatrixXd> m_together; ///< pairs of points of two clusters, in each vote
+};
+
+} // namespace internal
+} // namespace Weakly_convex_segmentation
+} // namespace CGAL
+
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_TORN_CLUSTERS_H
