@@ -296,14 +296,17 @@ inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double 
   const Eigen::MatrixXd mirrored = mirrored_classes(classes, image);
   Consensus agreement(classes.sizes, together, mirrored);
   agreement.merge_down_to(least);
-  std::vector<int> clusters = agreement.clusters();
-  // where a majority of cuts decides, the search gains nothing
-  if (!are_cuts) Class_moves(classes.sizes, together, least, clusters).run();
-  Torn_clusters torn(classes.sizes, mirrored, clusters);
-  for (std::size_t s = 0; s < votes.size(); ++s) torn.add_vote(pairs_together(classes, votes, s));
-  torn.join((std::max)(0.5, least)); // no part to most votes
-  agreement = Consensus(classes.sizes, std::move(together), {});
-  agreement.merge_as(clusters);
+  std::vector<int> clusters;
+  if (!are_cuts) // where a majority of cuts decides, this gains nothing
+  {
+    clusters = agreement.clusters();
+    Class_moves(classes.sizes, together, least, clusters).run();
+    Torn_clusters torn(classes.sizes, mirrored, clusters);
+    for (std::size_t s = 0; s < votes.size(); ++s) torn.add_vote(pairs_together(classes, votes, s));
+    torn.join((std::max)(0.5, least)); // no part to most votes
+    agreement = Consensus(classes.sizes, std::move(together), {});
+    agreement.merge_as(clusters);
+  }
   agreement.absorb_smaller_than(minimum_size);
   clusters = agreement.clusters();
   std::vector<int> labels;
