@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
-/// The cost of the preset `Parameters::training_free()`: a weighted sum of visibility, seam concavity, volume and closure, see
-/// `Merging_cost`.
+/// The cost of the preset `Parameters::training_free()`: a weighted sum of visibility, seam concavity, volume and
+/// closure, see `Merging_cost`.
 ///
 /// \cgalModels `WeaklyConvexSegmentationMergeCost`
 class Weighted_merge_cost
