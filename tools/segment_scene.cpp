@@ -46,7 +46,7 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
       "plane-distance", po::value(&options.plane_distance)->default_value(options.plane_distance),
       "half thickness of the plane")("gap", po::value(&options.gap)->default_value(options.gap),
                                      "distance that separates objects")(
-      "preset", po::value(&preset)->default_value("default"), "default or training_free");
+      "preset", po::value(&preset)->default_value("default"), "default, training_free or paper");
   po::options_description all;
   all.add(visible).add_options()("input", po::value(&files.input)->required(), "");
   po::positional_options_description positional;

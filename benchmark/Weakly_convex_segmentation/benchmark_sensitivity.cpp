@@ -52,9 +52,9 @@ std::vector<Knob> used_knobs(const Parameters& preset)
   for (const Knob& knob : Named_parameters::knobs(preset))
   {
     const bool is_of_paper = begins_with(knob.name, "fusion_thresholds");
-    const bool is_of_cost =
-        begins_with(knob.name, "merging_cost") || knob.name == "fusion_threshold";
-    if (is_paper ? is_of_cost : is_of_paper) continue;
+    if (is_paper ? knob.name == "fusion_threshold" : is_of_paper) continue;
+    if (preset.merging != WCS::Merging_rule::COST && begins_with(knob.name, "merging_cost"))
+      continue;
     if (knob.name == "seed" || (knob.is_whole && knob.high <= 2.)) continue;
     if (Named_parameters::get(preset, knob.name) != 0.) knobs.push_back(knob);
   }

@@ -139,9 +139,9 @@ BOOST_AUTO_TEST_CASE(what_is_no_part_to_most_votes_is_none)
 
 BOOST_AUTO_TEST_CASE(small_segments_join_what_they_agree_with_most)
 {
-  // three points that are once with the first and twice on their own
-  const std::vector<Labels> segmentations = {
-      runs({{0, 53}, {1, 50}}), runs({{0, 50}, {2, 3}, {1, 50}}), runs({{0, 50}, {2, 3}, {1, 50}})};
+  // three points that are once with the first, once with the second and once on their own
+  const std::vector<Labels> segmentations = {runs({{0, 53}, {1, 50}}), runs({{0, 50}, {1, 53}}),
+                                             runs({{0, 50}, {2, 3}, {1, 50}})};
   const Labels all = agreed_labels(segmentations, 0.);
   BOOST_CHECK_EQUAL(std::set<int>(all.begin(), all.end()).size(), 3u);
   const Labels large = agreed_labels(segmentations, 4.);

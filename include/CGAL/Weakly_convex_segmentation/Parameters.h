@@ -195,7 +195,7 @@ struct Merging_parameters
   /// `Merging_rule::COST` the highest cost, `[0, 1e6]`, with `PAPER` the distance of their signatures relative to the
   /// largest one (`sigma`), `[0, 1]`.
   double merging_threshold = 0.45;
-  /// weights of the cost, by which `Merging_rule::FITTED` orders the merges that it judges
+  /// weights of `Merging_rule::COST`; `FITTED` orders the merges that it judges by constants of its own
   Merging_cost merging_cost = {2.23, 0.38, 0.67, 0.505, 0.305, 0.565, 0.44, 1.5};
   /// `Merging_rule::PAPER`: the thresholds theta of the rounds of fusion, each in `[0, 1]`: 0.9, 0.8, 0.7
   std::vector<double> fusion_thresholds = internal::three_thetas();

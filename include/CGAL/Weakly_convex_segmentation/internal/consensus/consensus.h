@@ -13,6 +13,7 @@
 // with it whether a part is found that is hardly one. Segmentations from several sets of patches err
 // independently of each other, so most of them are right more often than each of them.
 
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/clusters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/local_search.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/torn_clusters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -104,16 +104,6 @@ inline Eigen::MatrixXd mirrored_classes(const Overlay& classes, const std::vecto
   return result;
 }
 
-/// adds a row and a column of a square matrix to others.
-inline void merge_rows_and_columns(Eigen::MatrixXd& matrix, const int into, const int from)
-{
-  if (matrix.size() == 0) return;
-  matrix.row(into) += matrix.row(from);
-  matrix.col(into) += matrix.col(from);
-  matrix.row(from).setZero();
-  matrix.col(from).setZero();
-}
-
 /// Clusters of the classes of an overlay, by the share of the votes that have two points of them
 /// together, on average over the points: pairs of points add up under merging.
 ///
@@ -162,11 +152,7 @@ public:
   /// gives clusters of fewer points, smallest first, to the one that they agree with most.
   void absorb_smaller_than(const double least_size)
   {
-    std::vector<int> by_size(m_sizes.size());
-    std::iota(by_size.begin(), by_size.end(), 0);
-    std::stable_sort(by_size.begin(), by_size.end(),
-                     [this](const int a, const int b) { return m_sizes[a] < m_sizes[b]; });
-    for (const int c : by_size)
+    for (const int c : smallest_first(m_sizes))
     {
       if (cluster_of(c) != c || m_sizes[c] >= least_size) continue;
       std::pair<double, int> best(0., -1);
@@ -296,10 +282,9 @@ inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double 
   const Eigen::MatrixXd mirrored = mirrored_classes(classes, image);
   Consensus agreement(classes.sizes, together, mirrored);
   agreement.merge_down_to(least);
-  std::vector<int> clusters;
   if (!are_cuts) // where a majority of cuts decides, this gains nothing
   {
-    clusters = agreement.clusters();
+    std::vector<int> clusters = agreement.clusters();
     Class_moves(classes.sizes, together, least, clusters).run();
     Torn_clusters torn(classes.sizes, mirrored, clusters);
     for (std::size_t s = 0; s < votes.size(); ++s) torn.add_vote(pairs_together(classes, votes, s));
@@ -308,7 +293,7 @@ inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double 
     agreement.merge_as(clusters);
   }
   agreement.absorb_smaller_than(minimum_size);
-  clusters = agreement.clusters();
+  const std::vector<int> clusters = agreement.clusters();
   std::vector<int> labels;
   labels.reserve(classes.of_point.size());
   for (const int c : classes.of_point) labels.push_back(clusters[c]);

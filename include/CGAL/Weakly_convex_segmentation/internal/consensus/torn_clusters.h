@@ -9,9 +9,10 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_TORN_CLUSTERS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_CONSENSUS_TORN_CLUSTERS_H
 
-// Clusters that are none to any vote: each has them with a neighbor, but not all with the same one. What lies between
-// two places of a border is so; on average it seems to belong nowhere.
+// Clusters that are none to most votes: these have them with a neighbor, but not all with the same one. What lies
+// between two places of a border is so; on average it seems to belong nowhere.
 
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/clusters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/number_labels.h>
 
 #include <Eigen/Core>
@@ -25,22 +26,6 @@
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
-
-/// Up to this share of the size of its neighbor a cluster across a plane of reflection may go to one of two sides.
-constexpr double largest_sliver = 0.25;
-
-/// returns the cluster where most of the mirror images of a cluster's points lie, if it is about as large; else the
-/// cluster itself. `mirrored` has how many points of a row's cluster have them in a column's, or nothing.
-inline int mirror_image(const Eigen::MatrixXd& mirrored, const std::vector<double>& sizes,
-                        const int cluster)
-{
-  constexpr double most_ratio = 1.7;
-  if (mirrored.size() == 0) return cluster;
-  Eigen::Index best = 0;
-  if (mirrored.row(cluster).maxCoeff(&best) <= 0.5 * sizes[cluster]) return cluster;
-  const double ratio = sizes[static_cast<std::size_t>(best)] / sizes[cluster];
-  return ratio < most_ratio && 1. < most_ratio * ratio ? static_cast<int>(best) : cluster;
-}
 
 /// Joins torn clusters to those that they are with most, and their mirror images likewise.
 class Torn_clusters
@@ -62,14 +47,10 @@ public:
   void add_vote(const Eigen::MatrixXd& pairs) { m_together.push_back(sums(pairs)); }
 
   /// joins a cluster, smallest first, where each vote's most likely neighbor is one with a probability of more than
-  /// `least`, on average over the votes, and no neighbor is so to all.
+  /// `least`, on average over the votes, and no single neighbor has as much on average.
   void join(const double least)
   {
-    std::vector<int> by_size(m_sizes.size());
-    std::iota(by_size.begin(), by_size.end(), 0);
-    std::stable_sort(by_size.begin(), by_size.end(),
-                     [this](const int a, const int b) { return m_sizes[a] < m_sizes[b]; });
-    for (const int c : by_size)
+    for (const int c : smallest_first(m_sizes))
     {
       const int home = m_sizes[c] > 0. ? home_of(c, least) : -1;
       if (home < 0) continue;
@@ -77,8 +58,9 @@ public:
       const bool is_across = image == c && image_of_home != home; // its home has a double
       if (is_across && m_sizes[c] >= largest_sliver * m_sizes[home]) continue;
       join_two(home, c);
-      if (image != c && image != home && image_of_home != c && m_sizes[image] > 0. &&
-          m_sizes[image_of_home] > 0. && image != image_of_home)
+      // an image may be gone already: that of a cluster across the plane is itself
+      if (image != home && image != image_of_home && m_sizes[image] > 0. &&
+          m_sizes[image_of_home] > 0.)
         join_two(image_of_home, image);
     }
   }
@@ -120,11 +102,7 @@ private:
   }
   void join_two(const int into, const int from)
   {
-    for (Eigen::MatrixXd& pairs : m_together)
-    {
-      pairs.row(into) += pairs.row(from);
-      pairs.col(into) += pairs.col(from);
-    }
+    for (Eigen::MatrixXd& pairs : m_together) merge_rows_and_columns(pairs, into, from);
     m_sizes[into] += m_sizes[from];
     m_sizes[from] = 0.;
     for (int& cluster : m_clusters)
