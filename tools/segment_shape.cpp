@@ -3,6 +3,7 @@
 
 // Segments a shape in a file, or a generated one, and writes the parts. See --help.
 
+#include "io/cut_shape.h"
 #include "io/gaps.h"
 #include "io/nearest_elements.h"
 #include "io/shape_io.h"
@@ -138,6 +139,19 @@ Shape_io::Parts parts_of_nearest(const Shape& from, const Shape_io::Parts& parts
   return result;
 }
 
+// The parts of what is cut: of its own level with its cut borders, else of the faces that pieces come from.
+Shape_io::Parts parts_of_pieces(const Shape_io::Cut_shape& cut, const Shape_io::Parts& of_faces)
+{
+  Shape_io::Parts result;
+  result.colors = of_faces.colors;
+  for (const std::size_t face : cut.source_faces)
+  {
+    result.labels.push_back(of_faces.labels[face]);
+    result.quality.push_back(of_faces.quality[face]);
+  }
+  return result;
+}
+
 // Where the page without a shape is. It is made with the project, or lies where the user says.
 std::string path_of_page()
 {
@@ -155,6 +169,17 @@ void write_view(Segment_shape::Outputs& outputs,
                       {"components", "component", parts_of(WCS::Level::COMPONENTS)},
                       {"segments", "segment", parts_of(WCS::Level::SEGMENTS)}},
                      run);
+}
+
+template <typename Parts_of>
+void write_cut(Segment_shape::Outputs& outputs, const std::optional<Segment_shape::View_page>& page,
+               const Shape& shape, const Parts_of& parts_of, const Run& run, const WCS::Level level)
+{
+  const Shape_io::Cut_shape cut = Shape_io::cut_shape(shape, parts_of(level));
+  outputs.write(cut.shape, cut.parts);
+  const auto parts_of_cut = [&](const WCS::Level other)
+  { return other == level ? cut.parts : parts_of_pieces(cut, parts_of(other)); };
+  if (page) write_view(outputs, page, cut.shape, parts_of_cut, run);
 }
 
 void print_files(std::ostream& out, const Options& options)
@@ -195,6 +220,8 @@ void segment_shape(const Options& options)
   if (!options.dense_file.empty())
     dense = Shape_io::read_shape(options.dense_file, Shape_io::Gaps::ALLOWED);
   run.seconds_of_reading = reading.seconds();
+  const Shape& written = dense ? *dense : shape;
+  if (options.is_cut) Shape_io::check_can_be_cut(written);
   const Shape_io::Measured_shape measured(shape);
   run.number_of_gaps = measured.number_of_gaps();
 
@@ -208,9 +235,13 @@ void segment_shape(const Options& options)
     const Shape_io::Parts parts = parts_at(level, measured.shape(), run.result);
     return dense ? parts_of_nearest(measured.shape(), parts, *dense) : measured.spread(parts);
   };
-  const Shape& written = dense ? *dense : shape;
-  outputs.write(written, parts_of(options.level));
-  if (page) write_view(outputs, page, written, parts_of, run);
+  if (options.is_cut)
+    write_cut(outputs, page, written, parts_of, run, options.level);
+  else
+  {
+    outputs.write(written, parts_of(options.level));
+    if (page) write_view(outputs, page, written, parts_of, run);
+  }
   outputs.write_stats(shape, run);
   outputs.finish();
   const std::vector<std::string> files = Segment_shape::output_files(options);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How much the parts change with what should not matter: 1 - Rand Index between the labels of one shape
-// and those of the same shape after a change of seed, order, pose, scale, noise or sampling.
+// and those of the same shape after a change of seed, order, pose, scale, precision (`tiny`: a move by 1e-9 of the
+// diagonal), noise or sampling; a mean a category, the mean of these, and the worst shape.
 //
 //   benchmark_stability DATA_DIR [--preset default|training_free|paper] [--set NAME=VALUE] [--per-category N]
 //                       [--points]
@@ -136,8 +137,8 @@ Raw_shape read_elements(const SM::Mesh& mesh, const bool points_only)
   return Shape_variants::make_variant(mesh, points_only ? Variant::POINTS : Variant::MESH, 0).raw;
 }
 
-const std::vector<std::string> changes = {"seed",       "order",      "motion", "scale",
-                                          "noise_edge", "noise_diag", "half",   "double"};
+const std::vector<std::string> changes = {"seed",  "order",      "motion",     "scale", "tiny",
+                                          "float", "noise_edge", "noise_diag", "half",  "double"};
 
 /// distances of the labels after each of the changes
 std::vector<double> distances(const SM::Mesh& mesh, const WCS::Parameters& parameters,
@@ -176,6 +177,13 @@ std::vector<double> distances(const SM::Mesh& mesh, const WCS::Parameters& param
                                      [](const SM::Point& p) {
                                        return SM::Point{7.3 * p[0], 7.3 * p[1], 7.3 * p[2]};
                                      })));
+  result.push_back(distance_of(noisy(mesh, 1e-9 * diagonal(mesh), random)));
+  result.push_back(distance_of(
+      moved(mesh,
+            [](const SM::Point& p) // as in a binary STL file
+            {
+              return SM::Point{double(float(p[0])), double(float(p[1])), double(float(p[2]))};
+            })));
   result.push_back(distance_of(noisy(mesh, 0.1 * mean_edge(mesh), random)));
   result.push_back(distance_of(noisy(mesh, 0.01 * diagonal(mesh), random)));
 
@@ -205,7 +213,7 @@ void run(const std::filesystem::path& data, const WCS::Parameters& parameters, c
   std::printf("%-10s", "");
   for (const std::string& change : changes) std::printf(" %10s", change.c_str());
   std::printf("\n");
-  std::vector<double> total(changes.size(), 0.);
+  std::vector<double> total(changes.size(), 0.), worst(changes.size(), 0.);
   double categories = 0.;
   std::mt19937 random(1);
   for (std::size_t c = 0; c < SM::category_names().size(); ++c)
@@ -219,7 +227,11 @@ void run(const std::filesystem::path& data, const WCS::Parameters& parameters, c
           !std::filesystem::exists(path))
         continue;
       const auto of_model = distances(SM::read_off(path), parameters, points_only, random);
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += of_model[i];
+      for (std::size_t i = 0; i < sum.size(); ++i)
+      {
+        sum[i] += of_model[i];
+        worst[i] = (std::max)(worst[i], of_model[i]);
+      }
       ++count;
     }
     if (count == 0) continue;
@@ -231,6 +243,7 @@ void run(const std::filesystem::path& data, const WCS::Parameters& parameters, c
     throw std::runtime_error("there are no models in " + (data / "off").string() +
                              "; give the folder that holds off/");
   print_row("mean", total, categories);
+  print_row("worst", worst, 1.);
 }
 
 } // namespace

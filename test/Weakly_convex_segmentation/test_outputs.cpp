@@ -5,6 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "io/cut_shape.h"
 #include "io/part_hulls.h"
 #include "io/separate_parts.h"
 #include "io/shape_io.h"
@@ -168,6 +169,109 @@ BOOST_AUTO_TEST_CASE(hulls_enclose_their_parts)
             (CGAL::orientation(hulls.points[c[0]], hulls.points[c[1]], hulls.points[c[2]],
                                hulls.points[hulls.polygons[g][0]]) != CGAL::POSITIVE));
       }
+}
+
+BOOST_AUTO_TEST_CASE(faces_are_cut_along_borders_in_all_outputs)
+{
+  const Scratch_folder folder;
+  const auto segment = [&](const std::string& name, const bool is_cut)
+  {
+    std::vector<std::string> words = {"--shape",  "figure",      "--quiet", "-o", name + ".ply",
+                                      "--labels", name + ".seg", "--split", name};
+    if (is_cut) words.push_back("--cut");
+    BOOST_REQUIRE(run(folder, "segment_shape", words).exit_code == 0);
+    return Shape_io::read_shape(folder.file(name + ".ply"));
+  };
+  const Shape whole = segment("whole", false), cut = segment("cut", true);
+  BOOST_TEST(cut.polygons.size() > whole.polygons.size());
+  const std::vector<int> labels = labels_of(folder, "cut.seg");
+  BOOST_TEST(labels.size() == cut.polygons.size());
+  const auto& sources = property(cut.face_properties, "source_face").values;
+  BOOST_TEST_REQUIRE(sources.size() == cut.polygons.size());
+  const std::vector<int> labels_of_whole = labels_of(folder, "whole.seg");
+  std::size_t other = 0;
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    other += labels[f] != labels_of_whole[static_cast<std::size_t>(sources[f])] ? 1 : 0;
+  BOOST_TEST(other > 0u);
+  BOOST_TEST(other < cut.polygons.size() / 20);
+  std::size_t faces = 0;
+  for (int part = 0; part <= *std::max_element(labels.begin(), labels.end()); ++part)
+    faces += Shape_io::read_shape(folder.file("cut/part_" + std::to_string(part) + ".ply"))
+                 .polygons.size();
+  BOOST_TEST(faces == cut.polygons.size());
+
+  folder.write("cloud.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  const Outcome outcome = run(folder, "segment_shape", {"cloud.xyz", "--cut", "-o", "c.ply"});
+  BOOST_TEST(outcome.exit_code == 1);
+  BOOST_TEST(outcome.err.find("no faces") != std::string::npos);
+  BOOST_TEST(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  BOOST_TEST(!std::filesystem::exists(folder.file("c.ply")));
+}
+
+BOOST_AUTO_TEST_CASE(pieces_of_faces_keep_what_is_known_of_them)
+{
+  constexpr int n = 8; // strips of triangles, of which the border crosses one in the middle
+  Shape shape;
+  Shape_io::Parts parts;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) shape.points.emplace_back(i, j, 0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      const std::size_t a = i * (n + 1) + j, b = a + n + 1;
+      shape.polygons.push_back({a, b, b + 1});
+      shape.polygons.push_back({a, b + 1, a + 1});
+      for (int half = 0; half < 2; ++half) parts.labels.push_back(i + j / 2 < 5 ? 0 : 1);
+    }
+  parts.quality.assign(parts.labels.size(), 0.5);
+  parts.colors.resize(2);
+  shape.normals.assign(shape.points.size(), Shape_io::Vector(0, 0, 2));
+  shape.point_properties = {{"height", "float", {}}, {"kind", "uchar", {}}};
+  for (const auto& p : shape.points)
+  {
+    shape.point_properties[0].values.push_back(3. * p.x() + p.y());
+    shape.point_properties[1].values.push_back(p.x() > 4 ? 9. : 2.);
+  }
+  shape.face_properties = {
+      {"number", "int", {}}, {"texcoord", "float", {}, "uchar", {0}}, {"source_face", "int", {}}};
+  for (std::size_t f = 0; f < shape.polygons.size(); ++f)
+  {
+    shape.face_properties[0].values.push_back(double(f));
+    for (const std::size_t p : shape.polygons[f])
+    {
+      shape.face_properties[1].values.push_back(shape.points[p].x());
+      shape.face_properties[1].values.push_back(shape.points[p].y());
+    }
+    shape.face_properties[1].first.push_back(shape.face_properties[1].values.size());
+    shape.face_properties[2].values.push_back(1000.);
+  }
+  const Shape_io::Cut_shape cut = Shape_io::cut_shape(shape, parts);
+  BOOST_TEST_REQUIRE(cut.shape.points.size() > shape.points.size());
+  BOOST_TEST(cut.shape.normals.size() == cut.shape.points.size());
+  const auto& heights = property(cut.shape.point_properties, "height").values;
+  const auto& kinds = property(cut.shape.point_properties, "kind").values;
+  for (std::size_t i = 0; i < cut.shape.points.size(); ++i)
+  {
+    const auto& p = cut.shape.points[i];
+    BOOST_TEST(heights[i] == 3. * p.x() + p.y(), boost::test_tools::tolerance(1e-9));
+    BOOST_TEST((kinds[i] == 2. || kinds[i] == 9.));
+    BOOST_TEST(cut.shape.normals[i].z() == 2., boost::test_tools::tolerance(1e-9));
+  }
+  const auto& numbers = property(cut.shape.face_properties, "number").values;
+  const auto& texture = property(cut.shape.face_properties, "texcoord");
+  for (std::size_t f = 0; f < cut.shape.polygons.size(); ++f)
+  {
+    BOOST_TEST(numbers[f] == double(cut.source_faces[f]));
+    const auto& polygon = cut.shape.polygons[f];
+    BOOST_TEST_REQUIRE(texture.first[f + 1] - texture.first[f] == 2 * polygon.size());
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const auto& p = cut.shape.points[polygon[i]];
+      BOOST_TEST(std::abs(texture.values[texture.first[f] + 2 * i] - p.x()) < 1e-9);
+      BOOST_TEST(std::abs(texture.values[texture.first[f] + 2 * i + 1] - p.y()) < 1e-9);
+    }
+  }
+  BOOST_TEST(property(cut.shape.face_properties, "input_source_face").values.front() == 1000.);
 }
 
 BOOST_AUTO_TEST_CASE(flat_and_tiny_parts_have_no_hull)

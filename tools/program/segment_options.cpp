@@ -77,6 +77,10 @@ po::options_description described_options(Options& options, Numbers& numbers)
       "number of threads; the result does not depend on it (default: all)");
   add("shape", po::value(&options.shape)->value_name("NAME"),
       "generated shape that is segmented without INPUT (default: figure)");
+  add("cut", po::bool_switch(&options.is_cut),
+      "split the faces of a mesh along the smoothed borders of the parts, for all outputs but the "
+      "numbers of STATS; "
+      "PLY files tell the face of the input that each face is of, source_face");
   add("ascii", po::bool_switch(&options.ascii), "write PARTS.ply as text");
   add("quiet", po::bool_switch(&options.quiet), "print nothing but errors");
   add("help", po::bool_switch(&options.help), "print this help");

@@ -31,6 +31,7 @@ struct Options
   WCS::Level level = WCS::Level::SEGMENTS;
   WCS::Parameters parameters;
   std::size_t number_of_threads = 0; // 0: all
+  bool is_cut = false;               // faces are split along borders
   bool ascii = false;
   bool quiet = false;
   bool help = false;

@@ -226,6 +226,26 @@ inline void link_across_edges(const std::vector<Polygon_side>& sides, Raw_shape&
   }
 }
 
+/// checks the polygon of a number.
+/// \throws std::invalid_argument if an index is out of range or it has under 3 corners.
+template <typename Polygon>
+void check_polygon(const std::size_t number, const Polygon& polygon,
+                   const std::size_t number_of_points)
+{
+  std::size_t size = 0;
+  for (const auto v : polygon)
+  {
+    ++size;
+    const std::size_t i = static_cast<std::size_t>(v);
+    if (i >= number_of_points)
+      throw std::invalid_argument("polygon " + std::to_string(number) + " names point " +
+                                  std::to_string(i) + ", but there are only " +
+                                  std::to_string(number_of_points) + " points");
+  }
+  if (size < 3)
+    throw std::invalid_argument("polygon " + std::to_string(number) + " has fewer than 3 corners");
+}
+
 /// reads a polygon soup as one point a polygon, with links between those that share an edge. The
 /// normals are made consistent, see `orient_soup()`.
 /// \throws std::invalid_argument if an index is out of range or a polygon has under 3 corners.
@@ -249,18 +269,12 @@ Raw_shape read_soup(const PointRange& points, const PolygonRange& polygons, cons
   {
     const Index f = static_cast<Index>(raw.positions.size());
     corners.clear();
+    check_polygon(f, polygon, positions.size());
     for (const auto v : polygon)
     {
-      const std::size_t i = static_cast<std::size_t>(v);
-      if (i >= positions.size())
-        throw std::invalid_argument("polygon " + std::to_string(f) + " names point " +
-                                    std::to_string(i) + ", but there are only " +
-                                    std::to_string(positions.size()) + " points");
-      corners.push_back(positions[i]);
-      vertices.push_back(welded[i]);
+      corners.push_back(positions[static_cast<std::size_t>(v)]);
+      vertices.push_back(welded[static_cast<std::size_t>(v)]);
     }
-    if (corners.size() < 3)
-      throw std::invalid_argument("polygon " + std::to_string(f) + " has fewer than 3 corners");
     add_polygon(corners, raw);
     control.check_sometimes();
   }
