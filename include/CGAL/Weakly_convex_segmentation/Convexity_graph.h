@@ -32,6 +32,9 @@ struct Convexity_graph
   };
   std::size_t number_of_nodes = 0;
   std::vector<Edge> edges; ///< each node has one at least
+  /// where each node lies, as the number of a voxel of a coarse grid; may be empty. What is chosen by these numbers
+  /// instead of by those of the nodes stays the same on a shape that was moved a little
+  std::vector<std::uint32_t> places = {};
 };
 
 } // namespace Weakly_convex_segmentation

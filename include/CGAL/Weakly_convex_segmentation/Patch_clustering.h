@@ -43,13 +43,13 @@ public:
   auto operator()(const Convexity_graph& graph, const std::size_t number_of_clusters) const
   {
     const internal::Graph_matrix adjacency = internal::normalized_adjacency(graph);
-    return [number_of_clusters, lengths = internal::edge_lengths(adjacency),
+    return [number_of_clusters, places = graph.places, lengths = internal::edge_lengths(adjacency),
             rows = internal::spectral_embedding(
                 adjacency, internal::spectral_dimensions(number_of_clusters, m_dimensions))](
                const unsigned int seed)
     {
-      std::vector<std::uint32_t> cluster =
-          internal::spread_cells(lengths, number_of_clusters, seed);
+      std::vector<std::uint32_t> cluster = internal::spread_cells(
+          lengths, number_of_clusters, internal::random_node(places, lengths.size(), seed));
       internal::move_to_nearest_means(lengths, rows, number_of_clusters, cluster);
       return cluster;
     };
@@ -68,9 +68,13 @@ public:
   /// O(c n log n) for c clusters of n nodes.
   auto operator()(const Convexity_graph& graph, const std::size_t number_of_clusters) const
   {
-    return [number_of_clusters, lengths = internal::edge_lengths(
-                                    internal::normalized_adjacency(graph))](const unsigned int seed)
-    { return internal::spread_cells(lengths, number_of_clusters, seed); };
+    return [number_of_clusters, places = graph.places,
+            lengths = internal::edge_lengths(internal::normalized_adjacency(graph))](
+               const unsigned int seed)
+    {
+      return internal::spread_cells(lengths, number_of_clusters,
+                                    internal::random_node(places, lengths.size(), seed));
+    };
   }
 };
 

@@ -52,7 +52,7 @@ public:
     m_front.push(point, 0.f);
   }
 
-  /// lets the seeds added so far take all points that are nearer to them.
+  /// lets the seeds added so far take all points that are nearer to them, by more than rounding makes.
   void grow()
   {
     m_front.search([this](const Index i) { return m_distance[i]; },
@@ -61,7 +61,7 @@ public:
                      for (const auto& [j, cost] : m_graph[i])
                      {
                        const float through = d + cost;
-                       if (through >= m_distance[j]) continue;
+                       if (through >= nearer * m_distance[j]) continue;
                        m_distance[j] = through;
                        m_cell[j] = m_cell[i];
                        m_front.push(j, through);
@@ -70,6 +70,7 @@ public:
   }
 
 private:
+  static constexpr float nearer = 1.f - 1e-4f; ///< times a distance: less is less
   const Cost_graph& m_graph;
   std::vector<float> m_distance;
   std::vector<Index> m_cell;

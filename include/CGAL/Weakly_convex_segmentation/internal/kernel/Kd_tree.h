@@ -75,8 +75,8 @@ public:
     if (m_size > 0) build(entries.begin(), entries.end());
   }
 
-  /// calls `found(index, squared_distance)` for the `k` points nearest to `query`, nearest first;
-  /// for fewer if there are no more. `k`: at most 128
+  /// calls `found(index, squared_distance)` for the `k` points nearest to `query`, nearest first, with their
+  /// leading bits; for fewer if there are no more. `k`: at most 128
   template <typename Found>
   void nearest(const Vector3& query, const std::size_t k, const Found& found) const
   {
@@ -88,11 +88,11 @@ public:
 
 private:
   /// Squared distance and point as one number, in the same order. Points that are
-  /// equally near come in the order of a hash: that of their indices would favor a direction, and bend
-  /// borders on regular grids.
+  /// equally near but for rounding come in the order of a hash: that of their indices would favor a direction,
+  /// and bend borders on regular grids.
   static std::uint64_t entry(const float distance, const Index index)
   {
-    return static_cast<std::uint64_t>(bits_of_float(distance)) << 32 | index * 2654435761u;
+    return static_cast<std::uint64_t>(leading_bits(distance)) << 32 | index * 2654435761u;
   }
   static Index index_of(const std::uint64_t entry)
   {
@@ -101,6 +101,11 @@ private:
   static float distance_of(const std::uint64_t entry)
   {
     return float_of_bits(static_cast<std::uint32_t>(entry >> 32));
+  }
+  /// no distance that counts as equal to that of the entry is larger
+  static float bound_of(const std::uint64_t entry)
+  {
+    return float_of_bits(largest_bits(static_cast<std::uint32_t>(entry >> 32)));
   }
 
   void build(Entries first, Entries last);
@@ -173,7 +178,7 @@ private:
       std::size_t place = count < k ? count++ : k - 1;
       for (; place > 0 && best[place - 1] > e; --place) best[place] = best[place - 1];
       best[place] = e;
-      if (count == k) bound = distance_of(best[k - 1]);
+      if (count == k) bound = bound_of(best[k - 1]);
     }
     return bound;
   }

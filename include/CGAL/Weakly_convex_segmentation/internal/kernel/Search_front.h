@@ -24,10 +24,11 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// returns a distance from 0 on and a point as one integer, in the same order.
+/// returns a distance from 0 on and a point as one integer, in the same order. Distances that are equal but for
+/// rounding are equal.
 inline std::uint64_t distance_and_point(const float distance, const Index point)
 {
-  return static_cast<std::uint64_t>(bits_of_float(distance)) << 32 | point;
+  return static_cast<std::uint64_t>(leading_bits(distance)) << 32 | point;
 }
 
 /// The points from which a search goes on, the nearest first, of those the one with the lowest index.

@@ -141,10 +141,23 @@ inline Clusters_of_seed clusters_of(const Patch_clustering& clustering,
   };
 }
 
+/// returns the place of each supervoxel, of a grid whose cells do not end where symmetric and regular shapes have their
+/// points.
+inline std::vector<std::uint32_t> places_of(const Supervoxels& supervoxels,
+                                            const Oriented_points& points)
+{
+  constexpr float side = 1.f / 31.4f;
+  std::vector<std::uint32_t> places;
+  for (const Index i : supervoxels.centers)
+    places.push_back(static_cast<std::uint32_t>(voxel_key(points.positions[i], side)));
+  return places;
+}
+
 /// prepares the clustering of each connected piece of the supervoxels' graph, with its share of the wanted
 /// patches: a shape of thousands of pieces then has small eigenproblems, and most have none.
 inline std::vector<Supervoxel_piece>
-supervoxel_pieces(const Supervoxels& supervoxels, const std::vector<Convexity_graph::Edge>& edges,
+supervoxel_pieces(const Oriented_points& positions, const Supervoxels& supervoxels,
+                  const std::vector<Convexity_graph::Edge>& edges,
                   const std::size_t number_of_patches, const Patch_clustering& clustering)
 {
   Disjoint_sets<Index> sets(supervoxels.count);
@@ -154,9 +167,11 @@ supervoxel_pieces(const Supervoxels& supervoxels, const std::vector<Convexity_gr
   std::vector<Convexity_graph> graphs(supervoxels.count);
   std::vector<Index> local(supervoxels.count);
   std::vector<std::size_t> points(supervoxels.count, 0);
+  const std::vector<std::uint32_t> places = places_of(supervoxels, positions);
   for (Index i = 0; i < supervoxels.count; ++i)
   {
     local[i] = static_cast<Index>(graphs[sets.find(i)].number_of_nodes++);
+    graphs[sets.find(i)].places.push_back(places[i]);
     pieces[sets.find(i)].supervoxels.push_back(i);
   }
   for (const Index s : supervoxels.of_point) ++points[sets.find(s)];
@@ -279,7 +294,7 @@ inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
   const Supervoxels supervoxels = build_supervoxels(points, graph, parameters.number_of_supervoxels,
                                                     parameters.patch_concavity_tolerance);
   const std::vector<Supervoxel_piece> pieces =
-      supervoxel_pieces(supervoxels, supervoxel_edges(graph, supervoxels, parameters),
+      supervoxel_pieces(points, supervoxels, supervoxel_edges(graph, supervoxels, parameters),
                         parameters.number_of_patches, clustering);
   std::mt19937 random(parameters.seed);
   std::vector<unsigned int> seeds = {parameters.seed};

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <utility>
@@ -43,20 +44,38 @@ inline Cost_graph edge_lengths(const Graph_matrix& adjacency)
   return lengths;
 }
 
-/// divides a connected graph into at most `count` cells about nodes that are far from each other, the
-/// first of them chosen by `seed`.
-inline std::vector<Index> spread_cells(const Cost_graph& lengths, const std::size_t count,
-                                       const unsigned int seed)
+/// returns a node by chance: the one whose place has the least hash, so that it is found again on a shape that was
+/// moved a little or is otherwise numbered.
+inline Index random_node(const std::vector<std::uint32_t>& places,
+                         const std::size_t number_of_nodes, const unsigned int seed)
 {
+  const std::uint32_t salt = static_cast<std::uint32_t>(std::mt19937(seed)());
+  const auto hash = [salt](const std::uint32_t place)
+  {
+    std::uint32_t h = (place ^ salt) * 2654435761u;
+    h = (h ^ h >> 15) * 2246822519u;
+    return h ^ h >> 13;
+  };
+  std::pair<std::uint32_t, Index> least(std::numeric_limits<std::uint32_t>::max(), 0);
+  for (Index i = 0; i < number_of_nodes; ++i)
+    least = (std::min)(least, {hash(places.empty() ? i : places[i]), i});
+  return least.second;
+}
+
+/// divides a connected graph into at most `count` cells about nodes that are far from each other, from the first on.
+inline std::vector<Index> spread_cells(const Cost_graph& lengths, const std::size_t count,
+                                       const Index first)
+{
+  constexpr float farther = 1.f + 1e-4f; // than rounding makes
   Graph_voronoi cells(lengths);
-  Index farthest = static_cast<Index>(std::mt19937(seed)() % lengths.size());
+  Index farthest = first;
   for (Index c = 0; c < count && cells.distance(farthest) > 0.f; ++c)
   {
     cells.add_seed(farthest, c);
     cells.grow();
     farthest = 0;
     for (Index i = 1; i < lengths.size(); ++i)
-      if (cells.distance(i) > cells.distance(farthest)) farthest = i;
+      if (cells.distance(i) > farther * cells.distance(farthest)) farthest = i;
   }
   return cells.cells();
 }

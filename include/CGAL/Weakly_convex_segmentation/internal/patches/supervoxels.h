@@ -34,6 +34,7 @@ struct Supervoxels
 {
   std::vector<Index> of_point;
   std::size_t count = 0;
+  std::vector<Index> centers; ///< the point of each that its cell is about
 };
 
 /// Length of an edge for the cells: concave edges are long, so that cells end at concavities.
@@ -106,7 +107,8 @@ inline std::size_t spread_seeds(const Oriented_points& points, const std::size_t
   return seeds;
 }
 
-/// returns the member of each cell that is nearest to the cell's centroid (Lloyd's step).
+/// returns the member of each cell that is nearest to the cell's centroid (Lloyd's step), the first of those that are
+/// about as near: the two points of a cell of two are, and rounding would choose.
 inline std::vector<Index> central_points(const Oriented_points& points,
                                          const std::vector<Index>& cells, const std::size_t count)
 {
@@ -117,13 +119,14 @@ inline std::vector<Index> central_points(const Oriented_points& points,
     sum[cells[i]] = sum[cells[i]] + points.positions[i];
     size[cells[i]] += 1.f;
   }
+  constexpr float nearer = 0.99f; // times a squared distance
   std::vector<Index> center(count, 0);
   std::vector<float> best(count, Graph_voronoi::infinity());
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     const Index c = cells[i];
     const float d = squared_length(points.positions[i] - (1.f / size[c]) * sum[c]);
-    if (d < best[c])
+    if (d < nearer * best[c])
     {
       best[c] = d;
       center[c] = static_cast<Index>(i);
@@ -140,15 +143,14 @@ inline Supervoxels build_supervoxels(const Oriented_points& points, const Neighb
 {
   const Cost_graph costs = cost_graph(graph, Geodesic_edge_length(concavity_tolerance));
   Supervoxels result;
-  std::vector<Index> centers;
   {
     Graph_voronoi cells(costs);
     result.count = spread_seeds(points, count, cells);
-    centers = central_points(points, cells.cells(), result.count);
+    result.centers = central_points(points, cells.cells(), result.count);
   }
   Graph_voronoi cells(costs);
-  for (std::size_t i = 0; i < centers.size(); ++i)
-    cells.add_seed(centers[i], static_cast<Index>(i));
+  for (std::size_t i = 0; i < result.count; ++i)
+    cells.add_seed(result.centers[i], static_cast<Index>(i));
   cells.grow();
   result.of_point = cells.cells();
   return result;

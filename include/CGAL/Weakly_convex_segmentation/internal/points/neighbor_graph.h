@@ -73,11 +73,11 @@ inline std::vector<Index> nearest_neighbors(const Oriented_points& points, const
                  std::size_t count = 0;
                  float sum = 0.f;
                  tree.nearest(points.positions[i], k + 1,
-                              [&](const Index j, const float d2)
+                              [&](const Index j, float)
                               {
                                 if (j == i || count == k) return;
                                 row[count++] = j;
-                                sum += std::sqrt(d2);
+                                sum += length(points.positions[j] - points.positions[i]);
                               });
                  std::fill(row + count, row + k, static_cast<Index>(i));
                  spacing[i] = count > 0 ? sum / static_cast<float>(count) : 0.f;
