@@ -80,7 +80,7 @@ inline Mirror mirror_of(const Shape_analysis& shape, const Parameters& parameter
 }
 
 /// returns the segment of each representative: what the sets of patches agree on. The borders of each set's
-/// regions are refined first, else the consensus would have those of many patches.
+/// regions are refined first, else the consensus would have those of many patches; once is enough for that.
 inline std::vector<int> decide_segments(const Shape_analysis& shape, const Parameters& parameters,
                                         const Run_control& control, const Merge_cost& own_cost,
                                         const Mirror& mirror,
@@ -91,7 +91,7 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   const auto decide = [&](const std::size_t s)
   {
     votes[s] = votes_of_set(shape, shape.patch_sets[s], parameters, control, own_cost, trees);
-    if (sets > 1) refine_borders(shape.graph, parameters, votes[s].labels, control.parallel);
+    if (sets > 1) refine_borders(shape.graph, parameters, votes[s].labels, control.parallel, 1);
   };
   parallel_for(sets, control.parallel, decide, 1);
   const bool are_cuts = votes.front().together.empty();

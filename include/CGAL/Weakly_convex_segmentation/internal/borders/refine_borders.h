@@ -67,16 +67,16 @@ inline void move_borders(const Neighbor_graph& graph, const Border_parameters& p
 
 /// moves the borders; returns the number of points that changed. Cuts of seams are repeated from where they are
 /// then, without what islands they leave, until they stay: borders that began apart come to the same place more
-/// often. The paper's rule moves all of them once, and has no such islands.
+/// often, and three rounds are as good as more. The paper's rule moves all of them once, and has no such islands.
 inline std::size_t refine_borders(const Neighbor_graph& graph, const Border_parameters& parameters,
-                                  std::vector<int>& labels, const bool parallel = false)
+                                  std::vector<int>& labels, const bool parallel = false,
+                                  const int most_rounds = 3)
 {
   if (parameters.refinement == Refinement_rule::NONE || parameters.band_width == 0.) return 0;
   const bool is_repeated = parameters.refinement == Refinement_rule::SEAM_CUTS;
-  const int most_rounds = is_repeated ? 3 : 1;
   const std::vector<int> before = labels;
   std::vector<int> last;
-  for (int round = 0; round < most_rounds && labels != last; ++round)
+  for (int round = 0; round < (is_repeated ? most_rounds : 1) && labels != last; ++round)
   {
     last = labels;
     move_borders(graph, parameters, labels, parallel);

@@ -134,20 +134,20 @@ struct Mean_surface
 /// finds the mean surface of each border point's own patch within some radii.
 class Smoothed_borders
 {
+  using Radii = std::array<float, Seam_profile::number_of_radii>;
+
 public:
+  /// `radii`: ascending
   Smoothed_borders(const Oriented_points& points, const Neighbor_graph& graph,
-                   const Patches& patches,
-                   const std::array<float, Seam_profile::number_of_radii>& radii)
-    : m_points(points), m_graph(graph), m_patches(patches), m_radii(radii),
-      m_visited(points.size(), static_cast<Index>(-1)), m_means(points.size())
+                   const Patches& patches, const Radii& radii)
+    : m_points(points), m_radii(radii), m_means(points.size())
   {
-    for (Index i = 0; i < points.size(); ++i)
-      for (const Neighbor& edge : graph[i])
-        if (patches.of_point[edge.point] != patches.of_point[i])
-        {
-          average_around(i);
-          break;
-        }
+    for (const std::vector<Index>& members : patches.members)
+      for (const Index i : members)
+        if (std::any_of(graph[i].begin(), graph[i].end(),
+                        [&](const Neighbor& edge)
+                        { return patches.of_point[edge.point] != patches.of_point[i]; }))
+          average_around(i, members);
   }
 
   /// returns the concavity across an edge between two patches, positive if concave, in radians.
@@ -160,31 +160,18 @@ public:
   }
 
 private:
-  void average_around(const Index center)
+  void average_around(const Index center, const std::vector<Index>& members)
   {
     std::array<Vector3, Seam_profile::number_of_radii> position{}, normal{};
     std::array<float, Seam_profile::number_of_radii> count{};
-    const float widest = *std::max_element(m_radii.begin(), m_radii.end());
-    m_queue.assign(1, center);
-    m_visited[center] = center;
-    for (std::size_t q = 0; q < m_queue.size(); ++q)
+    for (const Index i : members)
     {
-      const Index i = m_queue[q];
-      const float d = length(m_points.positions[i] - m_points.positions[center]);
-      for (std::size_t r = 0; r < m_radii.size(); ++r)
-        if (d <= m_radii[r])
-        {
-          position[r] = position[r] + m_points.positions[i];
-          normal[r] = normal[r] + m_points.normals[i];
-          count[r] += 1.f;
-        }
-      for (const Neighbor& edge : m_graph[i])
+      const float d = squared_length(m_points.positions[i] - m_points.positions[center]);
+      for (std::size_t r = m_radii.size(); r-- > 0 && d <= m_radii[r] * m_radii[r];)
       {
-        const Index j = edge.point;
-        if (m_visited[j] == center || m_patches.of_point[j] != m_patches.of_point[center]) continue;
-        m_visited[j] = center;
-        if (squared_length(m_points.positions[j] - m_points.positions[center]) <= widest * widest)
-          m_queue.push_back(j);
+        position[r] = position[r] + m_points.positions[i];
+        normal[r] = normal[r] + m_points.normals[i];
+        count[r] += 1.f;
       }
     }
     for (std::size_t r = 0; r < m_radii.size(); ++r)
@@ -193,10 +180,7 @@ private:
   }
 
   const Oriented_points& m_points;
-  const Neighbor_graph& m_graph;
-  const Patches& m_patches;
-  const std::array<float, Seam_profile::number_of_radii> m_radii;
-  std::vector<Index> m_queue, m_visited;
+  const Radii m_radii;
   std::vector<std::array<Mean_surface, Seam_profile::number_of_radii>> m_means;
 };
 
