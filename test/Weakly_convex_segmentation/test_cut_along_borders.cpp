@@ -5,8 +5,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Weakly_convex_segmentation/cut_along_borders.h>
+#include <CGAL/property_map.h>
 
 #include "shapes_for_tests.h"
 
@@ -356,6 +358,17 @@ BOOST_AUTO_TEST_CASE(surface_meshes_are_cut_into_surface_meshes)
   PMP::polygon_soup_to_polygon_mesh(result.points, result.polygons, cut_mesh);
   BOOST_TEST(CGAL::is_closed(cut_mesh));
   BOOST_TEST(CGAL::is_triangle_mesh(cut_mesh));
+}
+
+BOOST_AUTO_TEST_CASE(a_polyhedron_is_cut)
+{
+  const Soup soup = soup_of(Shape_generator::make_mesh("figure"));
+  CGAL::Polyhedron_3<Kernel> mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  std::map<CGAL::Polyhedron_3<Kernel>::Facet_handle, int> label;
+  std::size_t i = 0;
+  for (const auto f : faces(mesh)) label[f] = soup.labels[i++];
+  check_cut(soup, cut_along_borders(mesh, boost::make_assoc_property_map(label)));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused)

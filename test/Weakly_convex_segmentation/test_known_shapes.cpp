@@ -220,6 +220,22 @@ BOOST_AUTO_TEST_CASE(place_and_scale_do_not_matter)
   BOOST_CHECK_LT(mean, 0.01);
 }
 
+BOOST_AUTO_TEST_CASE(last_digits_do_not_matter)
+{
+  const double mean = mean_distance(
+      [](const Labeled_mesh& mesh, const Result& result)
+      {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> tiny(-1e-9, 1e-9);
+        Labeled_mesh moved = mesh;
+        for (auto& p : moved.points)
+          for (double& c : p) c += tiny(random);
+        return rand_distance(segment(moved, Parameters()).labels, result.labels);
+      },
+      0.01);
+  BOOST_CHECK_LT(mean, 0.001);
+}
+
 BOOST_AUTO_TEST_CASE(order_does_not_matter)
 {
   const double mean = mean_distance(

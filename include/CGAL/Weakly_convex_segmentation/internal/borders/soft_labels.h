@@ -126,7 +126,7 @@ private:
     const auto sides = m_mesh.at_edges[edge];
     if (sides.size() != 2) return 0.;
     const auto& [a, b] = std::make_pair(sides.first[0], sides.first[1]);
-    const double turned = a.is_forward == b.is_forward ? -1. : 1.;
+    const double turned = a.along == b.along ? -1. : 1.;
     return angle_between(m_normals[a.face], turned * m_normals[b.face]);
   }
 
@@ -147,7 +147,7 @@ inline void hold_creases(const Welded_mesh& mesh, const std::vector<int>& labels
     for (const auto& side : sides)
       is_border = is_border || labels[side.face] != labels[sides.first->face];
     if (is_border && (sides.size() > 2 || angles.is_crease(e)))
-      for (const Index v : sides.first->ends) soft.is_held[v] = 1;
+      soft.is_held[sides.first->low] = soft.is_held[sides.first->high] = 1;
   }
 }
 
@@ -169,14 +169,15 @@ inline Border_surroundings border_surroundings(const Welded_mesh& mesh, const So
     const std::vector<char> before = is_near;
     for (std::size_t e = 0; e < mesh.at_edges.size(); ++e)
     {
-      const auto [a, b] = mesh.at_edges[e].first->ends;
+      const std::size_t a = mesh.at_edges[e].first->low, b = mesh.at_edges[e].first->high;
       if (before[a] != before[b]) is_near[a] = is_near[b] = 1;
     }
   }
   std::map<Index, std::map<Index, double>> neighbors;
   for (std::size_t e = 0; e < mesh.at_edges.size(); ++e)
   {
-    const auto [a, b] = mesh.at_edges[e].first->ends;
+    const auto a = static_cast<Index>(mesh.at_edges[e].first->low);
+    const auto b = static_cast<Index>(mesh.at_edges[e].first->high);
     const double weight = 1. / length(mesh.vertices[b] - mesh.vertices[a]);
     if (is_near[a] != 0) neighbors[a][b] = weight;
     if (is_near[b] != 0) neighbors[b][a] = weight;
