@@ -146,7 +146,7 @@ struct Patch_parameters
   std::size_t number_of_patches = 88;
   /// The patches are made anew so many times, each set is merged to segments, and the segments are what
   /// most of them lead to; `[1, 100]`. More are steadier and a little better, and take longer.
-  std::size_t number_of_patch_sets = 5;
+  std::size_t number_of_patch_sets = 7;
   /// number of supervoxels that the spectral clustering works on, which bound its time;
   /// `[1, 20000]`
   std::size_t number_of_supervoxels = 1500;
