@@ -17,6 +17,8 @@
 #include <CGAL/Weakly_convex_segmentation/internal/diameters/shape_diameters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/denoise_mesh.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/face_sampling.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/solids.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/strays.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/oracles.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
@@ -94,10 +96,12 @@ inline std::size_t take_samples(Raw_shape raw, const Sampling_parameters& parame
 {
   Raw_shape sampled, smoothed;
   if (parameters.denoise && denoise_mesh(raw, control, smoothed)) raw = std::move(smoothed);
+  raw.solids = find_solids(raw);
   const bool has_more = sample_faces(raw, parameters, sampled);
   control.check();
   shape.input = orient_points(has_more ? sampled : raw, control.parallel, control, true);
-  shape.faces = {std::move(raw.first_corner), std::move(raw.corners), std::move(raw.links)};
+  if (shape.faces.first_corner.empty())
+    shape.faces = {std::move(raw.first_corner), std::move(raw.corners), std::move(raw.links)};
   control.check();
   shape.representatives = downsample(shape.input, parameters.number_of_representatives,
                                      control.parallel, parameters.denoise);
@@ -149,6 +153,25 @@ inline std::size_t prepare_visibility(const Visibility_parameters& parameters,
   return shape.points().size();
 }
 
+/// gives strays the nearest of the other elements.
+inline void find_homes(const std::vector<Coordinates>& positions,
+                       const std::vector<Point_role>& roles, Oriented_points& points)
+{
+  constexpr float farthest = 1e6f; // from where on the direction alone matters
+  if (roles.empty()) return;
+  const Kd_tree tree(points.positions);
+  for (Index i = 0; i < roles.size(); ++i)
+  {
+    if (roles[i] != Point_role::STRAY) continue;
+    Vector3 p = points.placement.point(positions[i]);
+    if (!(squared_length(p) < farthest * farthest)) p = {};
+    tree.nearest(p, 1,
+                 [&](const Index near, float) {
+                   points.strays.push_back({i, points.elements[near]});
+                 });
+  }
+}
+
 /// runs the stages up to the shape diameters.
 inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parameters& parameters,
                                                      const Run_control& control,
@@ -156,9 +179,24 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
 {
   auto shape = std::make_unique<Shape_analysis>();
   shape->oracles = std::move(oracles);
+  const std::vector<Point_role> roles = point_roles(raw.positions);
+  std::vector<Coordinates> positions;
+  if (!roles.empty())
+  {
+    check_finite(raw.normals, "normal");
+    Raw_shape rest = without_strays(raw, roles);
+    shape->faces = {std::move(raw.first_corner), std::move(raw.corners), std::move(raw.links)};
+    positions = std::move(raw.positions);
+    raw = std::move(rest);
+  }
   if (raw.normals.empty()) estimate_normals(raw, control, parameters.normal_orientation);
-  control.stage(Stage::SAMPLING,
-                [&] { return take_samples(std::move(raw), parameters, control, *shape); });
+  const auto sample = [&]
+  {
+    take_samples(std::move(raw), parameters, control, *shape);
+    find_homes(positions, roles, shape->input);
+    return shape->points().size();
+  };
+  control.stage(Stage::SAMPLING, sample);
   control.stage(Stage::NEIGHBORS, [&] { return find_neighbors(parameters, control, *shape); });
   control.stage(Stage::PATCHES, [&] { return make_patches(parameters, control, *shape); });
   control.stage(Stage::VISIBILITY, [&] { return prepare_visibility(parameters, control, *shape); });

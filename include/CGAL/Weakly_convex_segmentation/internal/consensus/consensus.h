@@ -93,14 +93,71 @@ inline Eigen::MatrixXd pairs_together(const Overlay& classes, const std::vector<
   return result;
 }
 
-/// returns where the mirror images of the points of each class lie: how many of a row's class in a column's. It is
-/// empty if there are no images.
-inline Eigen::MatrixXd mirrored_classes(const Overlay& classes, const std::vector<Index>& image)
+/// How many points of one class have their mirror images in another, where there are any.
+using Class_images = std::map<std::pair<int, int>, double>;
+
+inline Class_images images_of_classes(const Overlay& classes, const std::vector<Index>& image)
 {
-  const auto count = image.empty() ? 0 : static_cast<Eigen::Index>(classes.sizes.size());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
+  Class_images result;
   for (std::size_t i = 0; i < image.size(); ++i)
-    result(classes.of_point[i], classes.of_point[image[i]]) += 1.;
+    result[{classes.of_point[i], classes.of_point[image[i]]}] += 1.;
+  return result;
+}
+
+/// returns the classes in groups that no vote has anything to say about together, as those of pieces apart: a shape of
+/// many pieces is decided piece by piece.
+inline std::vector<std::vector<int>> independent_classes(const Overlay& classes,
+                                                         const std::vector<Votes>& votes,
+                                                         const Class_images& images)
+{
+  const int count = static_cast<int>(classes.sizes.size());
+  Disjoint_sets<int> sets(static_cast<std::size_t>(count));
+  for (std::size_t s = 0; s < votes.size(); ++s)
+  {
+    std::map<int, int> class_of_region;
+    for (int c = 0; c < count; ++c)
+      sets.join(class_of_region.emplace(classes.labels[c][s], c).first->second, c);
+    for (const auto& [region, c] : class_of_region)
+      if (!votes[s].together.empty())
+        for (const auto& [other, probability] : votes[s].together[region])
+        {
+          const auto found = class_of_region.find(other);
+          if (found != class_of_region.end() && probability > 0.) sets.join(c, found->second);
+        }
+  }
+  for (const auto& [pair, points] : images) sets.join(pair.first, pair.second);
+  std::map<int, std::vector<int>> groups;
+  for (int c = 0; c < count; ++c) groups[sets.find(c)].push_back(c);
+  std::vector<std::vector<int>> result;
+  for (auto& [name, members] : groups) result.push_back(std::move(members));
+  return result;
+}
+
+/// returns some of the classes alone, without the points.
+inline Overlay chosen_classes(const Overlay& classes, const std::vector<int>& chosen)
+{
+  Overlay result;
+  for (const int c : chosen)
+  {
+    result.labels.push_back(classes.labels[c]);
+    result.sizes.push_back(classes.sizes[c]);
+  }
+  return result;
+}
+
+/// returns where the mirror images of the points of each class of a group lie: how many of a row's class in a
+/// column's. It is empty if there are no images.
+inline Eigen::MatrixXd mirrored_classes(const std::vector<int>& group, const Class_images& images)
+{
+  const auto count = images.empty() ? 0 : static_cast<Eigen::Index>(group.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::Index a = 0; a < count; ++a)
+    for (auto at = images.lower_bound({group[a], 0});
+         at != images.end() && at->first.first == group[a]; ++at)
+    {
+      const auto b = std::lower_bound(group.begin(), group.end(), at->first.second);
+      result(a, b - group.begin()) = at->second;
+    }
   return result;
 }
 
@@ -263,26 +320,18 @@ inline std::vector<Votes> with_mirrored(std::vector<Votes> votes, const std::vec
   return votes;
 }
 
-/// returns the labels that the votes agree on, one a point, from 0 on but with gaps. Two points of different
-/// segments are together with a probability of no more than `least`, on average. Segments of fewer than
-/// `minimum_size` points join the one that they agree with most. `image`: where a plane of
-/// reflection takes each point, as in `Mirror`; empty if there is no such plane.
-///
-/// Complexity: linear in the number of points, besides O(m^2 log m) for m classes of the overlay.
-inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double least,
-                                         const double minimum_size,
-                                         const std::vector<Index>& image = {})
+/// returns the cluster of each class by what the votes agree on, named by one of its classes; see
+/// `consensus_labels()`.
+inline std::vector<int> consensus_clusters(const Overlay& classes, const std::vector<Votes>& votes,
+                                           const Eigen::MatrixXd& mirrored, const double least,
+                                           const double minimum_size)
 {
-  const bool are_cuts = votes.front().together.empty();
-  votes = with_mirrored(std::move(votes), image);
-  const Overlay classes = overlay(votes);
   Eigen::MatrixXd together = pairs_together(classes, votes, 0);
   for (std::size_t s = 1; s < votes.size(); ++s) together += pairs_together(classes, votes, s);
   together /= static_cast<double>(votes.size());
-  const Eigen::MatrixXd mirrored = mirrored_classes(classes, image);
   Consensus agreement(classes.sizes, together, mirrored);
   agreement.merge_down_to(least);
-  if (!are_cuts) // where a majority of cuts decides, this gains nothing
+  if (!votes.front().together.empty()) // where a majority of cuts decides, this gains nothing
   {
     std::vector<int> clusters = agreement.clusters();
     Class_moves(classes.sizes, together, least, clusters).run();
@@ -293,7 +342,31 @@ inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double 
     agreement.merge_as(clusters);
   }
   agreement.absorb_smaller_than(minimum_size);
-  const std::vector<int> clusters = agreement.clusters();
+  return agreement.clusters();
+}
+
+/// returns the labels that the votes agree on, one a point, from 0 on but with gaps. Two points of different
+/// segments are together with a probability of no more than `least`, on average. Segments of fewer than
+/// `minimum_size` points join the one that they agree with most. `image`: where a plane of
+/// reflection takes each point, as in `Mirror`; empty if there is no such plane.
+///
+/// Complexity: linear in the number of points, besides O(m^2 log m) for m classes of the overlay that the votes know
+/// anything about together.
+inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double least,
+                                         const double minimum_size,
+                                         const std::vector<Index>& image = {})
+{
+  votes = with_mirrored(std::move(votes), image);
+  const Overlay classes = overlay(votes);
+  const Class_images images = images_of_classes(classes, image);
+  std::vector<int> clusters(classes.sizes.size());
+  for (const std::vector<int>& group : independent_classes(classes, votes, images))
+  {
+    const std::vector<int> own =
+        consensus_clusters(chosen_classes(classes, group), votes, mirrored_classes(group, images),
+                           least, minimum_size);
+    for (std::size_t i = 0; i < group.size(); ++i) clusters[group[i]] = group[own[i]];
+  }
   std::vector<int> labels;
   labels.reserve(classes.of_point.size());
   for (const int c : classes.of_point) labels.push_back(clusters[c]);

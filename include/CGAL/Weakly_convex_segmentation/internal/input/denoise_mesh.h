@@ -182,6 +182,8 @@ inline Raw_shape with_positions(const Raw_shape& raw, const Mesh_vertices& verti
   Raw_shape moved;
   moved.links = raw.links;
   moved.element_of = raw.element_of;
+  moved.number_of_elements = raw.number_of_elements;
+  moved.is_far = raw.is_far;
   moved.exponent = raw.exponent;
   std::vector<Coordinates> polygon;
   for (std::size_t f = 0; f + 1 < raw.first_corner.size(); ++f)

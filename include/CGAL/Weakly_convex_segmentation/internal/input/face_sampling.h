@@ -246,7 +246,12 @@ inline bool sample_faces(const Raw_shape& raw, const Sampling_parameters& parame
   result.exponent = raw.exponent;
   result.positions = raw.positions;
   result.normals = raw.normals;
-  for (std::size_t f = 0; f < faces; ++f) result.element_of.push_back(static_cast<Index>(f));
+  result.solids = raw.solids;
+  result.is_far = raw.is_far;
+  result.number_of_elements = raw.number_of_elements > 0 ? raw.number_of_elements : faces;
+  const auto element = [&raw](const Index f)
+  { return raw.element_of.empty() ? f : raw.element_of[f]; };
+  for (Index f = 0; f < faces; ++f) result.element_of.push_back(element(f));
   for (std::size_t i = 0; i < samples->size(); ++i)
   {
     const Index f = samples->faces[i];
@@ -256,7 +261,9 @@ inline bool sample_faces(const Raw_shape& raw, const Sampling_parameters& parame
     {
       result.positions.push_back(*sample);
       result.normals.push_back(raw.normals[f]);
-      result.element_of.push_back(f);
+      result.element_of.push_back(element(f));
+      if (!raw.is_far.empty()) result.is_far.push_back(raw.is_far[f]);
+      if (!raw.solids.empty()) result.solids.push_back(raw.solids[f]);
     }
   }
   link_samples(raw, *samples, longest, result);

@@ -55,9 +55,8 @@ class Kd_tree
     }
   };
   static constexpr std::size_t leaf_size = 8;
-  static constexpr float far_away = 1e18f;      ///< coordinate of what only fills up a block
-  static constexpr float far_squared = 1e35f;   ///< beyond all points, not beyond what fills up
-  static constexpr std::size_t maximum_k = 128; ///< most neighbors that can be asked for
+  static constexpr float far_away = 1e18f;    ///< coordinate of what only fills up a block
+  static constexpr float far_squared = 1e35f; ///< beyond all points, not beyond what fills up
   struct Entry
   {
     Vector3 position;
@@ -66,6 +65,8 @@ class Kd_tree
   using Entries = std::vector<Entry>::iterator;
 
 public:
+  static constexpr std::size_t maximum_k = 128; ///< most neighbors that can be asked for
+
   explicit Kd_tree(const std::vector<Vector3>& positions) : m_size(positions.size())
   {
     std::vector<Entry> entries(m_size);
@@ -76,7 +77,7 @@ public:
   }
 
   /// calls `found(index, squared_distance)` for the `k` points nearest to `query`, nearest first, with their
-  /// leading bits; for fewer if there are no more. `k`: at most 128
+  /// leading bits; for fewer if there are no more. `k`: at most `maximum_k`
   template <typename Found>
   void nearest(const Vector3& query, const std::size_t k, const Found& found) const
   {

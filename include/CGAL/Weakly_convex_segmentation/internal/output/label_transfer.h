@@ -100,12 +100,14 @@ inline std::vector<Index> carry_from_samples(const Shape_analysis& shape,
         tree.nearest(shape.input.positions[i], candidates,
                      [&](const Index s, float)
                      {
+                       if (!may_be_neighbors(samples.points.solid(s), shape.input.solid(i))) return;
                        if (nearest == none) nearest = s;
                        if (facing == none &&
                            dot(samples.points.normals[s], shape.input.normals[i]) > 0.f)
                          facing = s;
                      });
         const Index sample = facing != none ? facing : nearest;
+        if (sample == none) return; // it keeps the label of its representative
         labels[i] = samples.labels[sample];
         is_near[j] = band[sample].other >= 0 ? 1 : 0;
       },
@@ -166,12 +168,12 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
 }
 
 /// returns one label an input element from those of the points: what most of its points have, the
-/// smallest of such.
+/// smallest of such. Strays have that of another element.
 inline std::vector<int> element_labels(const Oriented_points& points,
                                        const std::vector<int>& labels, const bool parallel = false)
 {
   std::vector<int> result(points.number_of_elements);
-  if (points.size() == points.number_of_elements)
+  if (points.size() == points.number_of_elements && points.strays.empty())
   {
     parallel_for(
         points.size(), parallel,
@@ -189,6 +191,7 @@ inline std::vector<int> element_labels(const Oriented_points& points,
     const auto [element, label] = votes[first];
     if (last - first > most[element]) most[element] = last - first, result[element] = label;
   }
+  for (const auto& [stray, near] : points.strays) result[stray] = result[near];
   return result;
 }
 

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -89,8 +90,11 @@ inline float voxel_side(const Oriented_points& points, const std::size_t count,
 /// returns the voxel of a position.
 inline std::uint64_t voxel_key(const Vector3& p, const float side)
 {
-  const auto cell = [side](const float c)
-  { return spread_bits(static_cast<std::uint64_t>((std::max)(0.f, c + 0.5f) / side)); };
+  const auto cell = [side](const float c) // what is far away has negative ones, or of more bits
+  {
+    return spread_bits(
+        static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor((c + 0.5f) / side))));
+  };
   return cell(p.x) | cell(p.y) << 1 | cell(p.z) << 2;
 }
 
@@ -100,6 +104,7 @@ struct Point_group
   Vector3 position, normal; ///< sums
   Vector3 first_normal;     ///< stands in where the normals cancel out
   std::size_t size;
+  Index solid;
   Index next; ///< another group in the same voxel, or -1
 
   void add(const Vector3& p, const Vector3& n)
@@ -124,6 +129,7 @@ inline Representatives represent_groups(const Oriented_points& points,
     thinned.positions.push_back((1.f / static_cast<float>(groups[g].size)) * groups[g].position);
     thinned.normals.push_back(normalized(groups[g].normal, groups[g].first_normal));
     thinned.elements.push_back(static_cast<Index>(g));
+    if (!points.solids.empty()) thinned.solids.push_back(groups[g].solid);
   }
   thinned.links = renamed_links(points.links, result.of_point);
   return result;
@@ -132,7 +138,7 @@ inline Representatives represent_groups(const Oriented_points& points,
 /// thins the points to two representatives a voxel at most, one for each side of the surface by the main axis of
 /// the normals in the voxel: where noise has bent the normals at random, they say no more than that.
 ///
-/// Complexity: linear.
+/// Complexity: O(n log n).
 inline Representatives thin_by_sides(const Oriented_points& points, const float side)
 {
   constexpr Index none = static_cast<Index>(-1);
@@ -143,12 +149,13 @@ inline Representatives thin_by_sides(const Oriented_points& points, const float 
     std::array<Index, 2> groups = {none, none};
   };
   std::vector<Voxel> voxels;
-  std::unordered_map<std::uint64_t, Index> voxel_at;
+  std::map<std::pair<Index, std::uint64_t>, Index> voxel_at; // by solid
   std::vector<Index> of_point(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const auto [slot, is_new] =
-        voxel_at.emplace(voxel_key(points.positions[i], side), static_cast<Index>(voxels.size()));
+        voxel_at.emplace(std::make_pair(points.solid(i), voxel_key(points.positions[i], side)),
+                         static_cast<Index>(voxels.size()));
     if (is_new) voxels.emplace_back();
     of_point[i] = slot->second;
     const Vector3& n = points.normals[i];
@@ -168,7 +175,7 @@ inline Representatives thin_by_sides(const Oriented_points& points, const float 
     if (g == none)
     {
       g = static_cast<Index>(groups.size());
-      groups.push_back({{}, {}, points.normals[i], 0, none});
+      groups.push_back({{}, {}, points.normals[i], 0, points.solid(i), none});
     }
     groups[g].add(points.positions[i], points.normals[i]);
     of_point[i] = g;
@@ -221,11 +228,13 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
     last_key = key;
     Index g = *last_first;
     const bool has_normal = squared_length(n) > 0.f; // points without one join any group
-    while (g != none && has_normal && dot(groups[g].first_normal, n) < 0.5f) g = groups[g].next;
+    const auto is_other = [&](const Point_group& group)
+    { return group.solid != points.solid(i) || (has_normal && dot(group.first_normal, n) < 0.5f); };
+    while (g != none && is_other(groups[g])) g = groups[g].next;
     if (g == none)
     {
       g = static_cast<Index>(groups.size());
-      groups.push_back({{}, {}, n, 0, *last_first});
+      groups.push_back({{}, {}, n, 0, points.solid(i), *last_first});
       *last_first = g;
     }
     groups[g].add(points.positions[i], n);

@@ -71,14 +71,22 @@ inline std::vector<Index> nearest_neighbors(const Oriented_points& points, const
                  control.check_sometimes();
                  Index* row = &nearest[i * k];
                  std::size_t count = 0;
+                 const auto search = [&](const std::size_t asked)
+                 {
+                   count = 0;
+                   tree.nearest(points.positions[i], asked,
+                                [&](const Index j, float)
+                                {
+                                  if (j != i && count < k &&
+                                      may_be_neighbors(points.solid(i), points.solid(j)))
+                                    row[count++] = j;
+                                });
+                 };
+                 search(k + 1);
+                 if (count < k && !points.solids.empty()) search(Kd_tree::maximum_k);
                  float sum = 0.f;
-                 tree.nearest(points.positions[i], k + 1,
-                              [&](const Index j, float)
-                              {
-                                if (j == i || count == k) return;
-                                row[count++] = j;
-                                sum += length(points.positions[j] - points.positions[i]);
-                              });
+                 for (std::size_t j = 0; j < count; ++j)
+                   sum += length(points.positions[row[j]] - points.positions[i]);
                  std::fill(row + count, row + k, static_cast<Index>(i));
                  spacing[i] = count > 0 ? sum / static_cast<float>(count) : 0.f;
                });

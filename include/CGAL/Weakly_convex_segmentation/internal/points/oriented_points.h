@@ -71,15 +71,26 @@ struct Placement
 struct Oriented_points
 {
   std::vector<Vector3> positions;
-  std::vector<Vector3> normals;            ///< unit length
-  std::vector<Index> elements;             ///< input element of each point
+  std::vector<Vector3> normals; ///< unit length
+  std::vector<Index> elements;  ///< input element of each point
+  /// input elements without a point, and the element each takes its label from
+  std::vector<std::array<Index, 2>> strays;
   std::vector<std::array<Index, 2>> links; ///< pairs of points known to be neighbors
+  std::vector<Index> solids;               ///< of each point, see `find_solids()`; or empty
   double extent = 1.;                      ///< in units of the input
   Placement placement;
   std::size_t number_of_elements = 0; ///< of the input; several points may share one
 
   std::size_t size() const { return positions.size(); }
+  /// the closed piece of a mesh that a point is of, or 0
+  Index solid(const std::size_t i) const { return solids.empty() ? 0 : solids[i]; }
 };
+
+/// returns whether points of two solids may be neighbors. What is of none joins what it touches.
+inline bool may_be_neighbors(const Index solid, const Index other)
+{
+  return solid == other || solid == 0 || other == 0;
+}
 
 /// spreads the low 21 bits of `v` so that two zero bits follow each.
 inline std::uint64_t spread_bits(std::uint64_t v)
@@ -131,7 +142,7 @@ inline std::vector<Index> spatial_order(const Raw_shape& raw, const Frame& frame
   return order;
 }
 
-/// The sphere about the centroid that holds all points, within a bounding cube.
+/// The sphere about the centroid that holds all points but those far away, within a bounding cube.
 struct Bounding_ball
 {
   Coordinates center = {0., 0., 0.};
@@ -140,39 +151,54 @@ struct Bounding_ball
 
 /// returns the ball of the points in a frame. The sum over the points is in the order given, so that it
 /// does not depend on that of the input.
-inline Bounding_ball bounding_ball(const std::vector<Coordinates>& positions, const Frame& frame,
+inline Bounding_ball bounding_ball(const Raw_shape& raw, const Frame& frame,
                                    const std::vector<Index>& order, const Bounding_cube& cube,
                                    const bool parallel)
 {
+  const auto for_each = [&](const std::size_t begin, const std::size_t end, const auto& visit)
+  {
+    for (std::size_t i = begin; i < end; ++i)
+      if (raw.is_far.empty() || raw.is_far[order[i]] == 0)
+        visit(cube.within(frame(raw.positions[order[i]])));
+  };
+  struct Sum
+  {
+    Coordinates position = {0., 0., 0.};
+    double count = 0.;
+  };
+  const auto sum_of = [&](const std::size_t begin, const std::size_t end)
+  {
+    Sum own;
+    for_each(begin, end,
+             [&own](const Coordinates& p)
+             {
+               for (int c = 0; c < 3; ++c) own.position[c] += p[c];
+               own.count += 1.;
+             });
+    return own;
+  };
   Bounding_ball ball;
-  for (const auto& sum : map_blocks(order.size(), parallel,
-                                    [&](const std::size_t begin, const std::size_t end)
-                                    {
-                                      Coordinates own = {0., 0., 0.};
-                                      for (std::size_t i = begin; i < end; ++i)
-                                      {
-                                        const Coordinates p =
-                                            cube.within(frame(positions[order[i]]));
-                                        for (int c = 0; c < 3; ++c) own[c] += p[c];
-                                      }
-                                      return own;
-                                    }))
-    for (int c = 0; c < 3; ++c) ball.center[c] += sum[c] / static_cast<double>(order.size());
-  for (const double squared : map_blocks(positions.size(), parallel,
-                                         [&](const std::size_t begin, const std::size_t end)
-                                         {
-                                           double largest = 0.;
-                                           for (std::size_t i = begin; i < end; ++i)
-                                           {
-                                             const Coordinates p = cube.within(frame(positions[i]));
-                                             double sum = 0.;
-                                             for (int c = 0; c < 3; ++c)
-                                               sum += (p[c] - ball.center[c]) *
-                                                      (p[c] - ball.center[c]);
-                                             largest = (std::max)(largest, sum);
-                                           }
-                                           return largest;
-                                         }))
+  double count = 0.;
+  for (const Sum& sum : map_blocks(order.size(), parallel, sum_of))
+  {
+    for (int c = 0; c < 3; ++c) ball.center[c] += sum.position[c];
+    count += sum.count;
+  }
+  for (double& c : ball.center) c /= count;
+  const auto largest_of = [&](const std::size_t begin, const std::size_t end)
+  {
+    double largest = 0.;
+    for_each(begin, end,
+             [&](const Coordinates& p)
+             {
+               double squared = 0.;
+               for (int c = 0; c < 3; ++c)
+                 squared += (p[c] - ball.center[c]) * (p[c] - ball.center[c]);
+               largest = (std::max)(largest, squared);
+             });
+    return largest;
+  };
+  for (const double squared : map_blocks(order.size(), parallel, largest_of))
     ball.radius = (std::max)(ball.radius, std::sqrt(squared));
   return ball;
 }
@@ -193,6 +219,15 @@ renamed_links(const std::vector<std::array<Index, 2>>& links, const std::vector<
   return result;
 }
 
+/// returns the positions without those far away; nothing if there are none.
+inline std::vector<Coordinates> near_positions(const Raw_shape& raw)
+{
+  std::vector<Coordinates> result;
+  for (std::size_t i = 0; i < raw.is_far.size(); ++i)
+    if (raw.is_far[i] == 0) result.push_back(raw.positions[i]);
+  return result;
+}
+
 /// brings the input into the frame of the method.
 ///
 /// The extent is measured from the centroid: unlike a bounding box it does not change under
@@ -210,13 +245,15 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
   check_finite(raw.positions, "position", parallel);
   check_finite(raw.normals, "normal", parallel);
 
-  const Frame frame = along_axes ? pca_frame(raw.positions, parallel) : Frame();
+  const std::vector<Coordinates> near = near_positions(raw);
+  const std::vector<Coordinates>& of_shape = near.empty() ? raw.positions : near;
+  const Frame frame = along_axes ? pca_frame(of_shape, parallel) : Frame();
   const Bounding_cube cube = bounding_cube(raw.positions, frame, parallel);
   Oriented_points points;
   const std::vector<Index> order = spatial_order(raw, frame, cube, parallel);
   control.check();
 
-  const Bounding_ball ball = bounding_ball(raw.positions, frame, order, cube, parallel);
+  const Bounding_ball ball = bounding_ball(raw, frame, order, cube, parallel);
   Coordinates centroid = ball.center;
   for (double& c : centroid) c *= cube.unit();
   points.extent = ball.radius > 0. ? 2. * ball.radius * cube.unit() : 1.;
@@ -244,6 +281,8 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
     for (std::size_t i = 0; i < n; ++i) rank[order[i]] = static_cast<Index>(i);
     points.links = renamed_links(raw.links, rank);
   }
+  if (!raw.solids.empty())
+    for (const Index i : order) points.solids.push_back(raw.solids[i]);
   points.placement = {
       frame,
       {cube.corner[0] + centroid[0], cube.corner[1] + centroid[1], cube.corner[2] + centroid[2]},
@@ -256,9 +295,7 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
   if (!raw.element_of.empty())
   {
     for (Index& element : points.elements) element = raw.element_of[element];
-    points.number_of_elements =
-        1 +
-        static_cast<std::size_t>(*std::max_element(raw.element_of.begin(), raw.element_of.end()));
+    points.number_of_elements = raw.number_of_elements;
   }
   return points;
 }
@@ -280,6 +317,7 @@ inline Oriented_points sub_points(const Oriented_points& points, const std::vect
     result.elements.push_back(static_cast<Index>(result.size()));
     result.positions.push_back(points.positions[i]);
     result.normals.push_back(points.normals[i]);
+    if (!points.solids.empty()) result.solids.push_back(points.solids[i]);
   }
   for (const auto& link : points.links)
     if (rank[link[0]] != none && rank[link[1]] != none)
