@@ -15,6 +15,7 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/absorb_strips.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/connected_parts.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/straighten_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
@@ -29,6 +30,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/patches/cut_patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/shape_analysis.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -79,6 +81,11 @@ inline Mirror mirror_of(const Shape_analysis& shape, const Parameters& parameter
   return mirror;
 }
 
+inline int first_unused(const std::vector<int>& labels)
+{
+  return 1 + *std::max_element(labels.begin(), labels.end());
+}
+
 /// returns the segment of each representative: what the sets of patches agree on. The borders of each set's
 /// regions are refined first, else the consensus would have those of many patches; once is enough for that.
 inline std::vector<int> decide_segments(const Shape_analysis& shape, const Parameters& parameters,
@@ -97,10 +104,11 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   const bool are_cuts = votes.front().together.empty();
   if (sets == 1 && are_cuts) return std::move(votes.front().labels);
   const double least = are_cuts ? least_share_of_cuts : 1. - parameters.merging_threshold;
-  std::vector<int> labels = consensus_labels(
-      std::move(votes), least,
-      parameters.minimum_segment_share * static_cast<double>(shape.points().size()), mirror.image);
+  const double minimum_size =
+      parameters.minimum_segment_share * static_cast<double>(shape.points().size());
+  std::vector<int> labels = consensus_labels(std::move(votes), least, minimum_size, mirror.image);
   absorb_strips(shape.graph, labels);
+  Torn_parts(shape.points().links, labels).mend(minimum_size, first_unused(labels));
   return labels;
 }
 
@@ -119,6 +127,10 @@ inline Result finish_segmentation(const Shape_analysis& shape, Representative_la
         shape.input, carry_labels(shape, labels.segments, parameters, control), control.parallel);
     if (parameters.refinement == Refinement_rule::SEAM_CUTS && parameters.band_width > 0.)
       straighten_borders(shape.faces, shape.input, parameters, control, result.labels);
+    if (!shape.faces.links.empty())
+      Torn_parts(shape.faces.links, result.labels)
+          .mend(parameters.minimum_segment_share * static_cast<double>(result.labels.size()), 0);
+    label_strays(shape.input, result.labels);
     return moved;
   };
   const auto describe = [&]

@@ -179,7 +179,7 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
 {
   auto shape = std::make_unique<Shape_analysis>();
   shape->oracles = std::move(oracles);
-  const std::vector<Point_role> roles = point_roles(raw.positions);
+  const std::vector<Point_role> roles = point_roles(raw);
   std::vector<Coordinates> positions;
   if (!roles.empty())
   {

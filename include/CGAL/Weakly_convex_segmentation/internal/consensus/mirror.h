@@ -75,8 +75,8 @@ class Mirror_finder
 {
 public:
   Mirror_finder(const Oriented_points& points, const std::vector<float>& spacing)
-    : m_points(points), m_spacing(spacing), m_tree(points.positions), m_few(sample(100)),
-      m_many(sample(400))
+    : m_points(points), m_spacing(spacing), m_tree(points.positions), m_near(near_points(points)),
+      m_few(sample(100)), m_many(sample(400))
   {}
 
   /// returns the best plane, with `residual` and `agreeing` but without images.
@@ -120,10 +120,10 @@ private:
 
   std::vector<Index> sample(const std::size_t count) const
   {
-    const std::size_t n = m_points.size(), wanted = (std::min)(n, count);
+    const std::size_t n = m_near.size(), wanted = (std::min)(n, count);
     std::vector<Index> result;
     for (std::size_t i = 0; i < wanted; ++i)
-      result.push_back(static_cast<Index>((2 * i + 1) * n / (2 * wanted)));
+      result.push_back(m_near[(2 * i + 1) * n / (2 * wanted)]);
     return result;
   }
 
@@ -208,7 +208,7 @@ private:
     double sum = 0.;
     Double3 center;
     Symmetric_matrix3 squares;
-    for (std::size_t i = 0; i < m_points.size(); ++i) // by area, as samples may be uneven
+    for (const Index i : m_near) // by area, as samples may be uneven
     {
       const double area = static_cast<double>(m_spacing[i]) * m_spacing[i];
       const Double3 p = in_double(m_points.positions[i]);
@@ -249,6 +249,7 @@ private:
   const Oriented_points& m_points;
   const std::vector<float>& m_spacing;
   Kd_tree m_tree;
+  std::vector<Index> m_near; ///< those that are not far away
   std::vector<Index> m_few, m_many;
 };
 

@@ -34,6 +34,7 @@ struct Raw_shape
   std::vector<std::array<Index, 2>> links; ///< pairs of faces that share an edge
   std::vector<Index> element_of;      ///< input element of each point; empty if they are the same
   std::size_t number_of_elements = 0; ///< if some have no point; else 0
+  std::vector<char> is_double;        ///< of each face: another has the same corners; or empty
   std::vector<char> is_far;           ///< of each point: it has no say in the extent; or empty
   std::vector<std::size_t> first_corner; ///< of each face in `corners`, and the end; or empty
   std::vector<Coordinates> corners;      ///< of all faces

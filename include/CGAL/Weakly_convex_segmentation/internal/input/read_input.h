@@ -31,6 +31,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -246,8 +247,30 @@ void check_polygon(const std::size_t number, const Polygon& polygon,
     throw std::invalid_argument("polygon " + std::to_string(number) + " has fewer than 3 corners");
 }
 
+/// returns which polygons have the same corners as one before them, as where each is there again to be seen from
+/// behind; nothing if no edge has more than two sides.
+inline std::vector<char> doubled_polygons(const std::vector<std::size_t>& vertices,
+                                          const std::vector<std::size_t>& first,
+                                          const std::vector<Polygon_side>& sides)
+{
+  bool has_many = false;
+  for (std::size_t i = 2; i < sides.size(); ++i)
+    has_many = has_many || (sides[i].low == sides[i - 2].low && sides[i].high == sides[i - 2].high);
+  std::vector<char> is_double;
+  std::set<std::vector<std::size_t>> known;
+  for (std::size_t f = 0; has_many && f + 1 < first.size(); ++f)
+  {
+    std::vector<std::size_t> corners(vertices.begin() + static_cast<std::ptrdiff_t>(first[f]),
+                                     vertices.begin() + static_cast<std::ptrdiff_t>(first[f + 1]));
+    std::sort(corners.begin(), corners.end());
+    is_double.push_back(known.insert(std::move(corners)).second ? 0 : 1);
+  }
+  if (std::count(is_double.begin(), is_double.end(), 1) == 0) is_double.clear();
+  return is_double;
+}
+
 /// reads a polygon soup as one point a polygon, with links between those that share an edge. The
-/// normals are made consistent, see `orient_soup()`.
+/// normals are made consistent, see `orient_soup()`. Doubled polygons are marked, and have no links.
 /// \throws std::invalid_argument if an index is out of range or a polygon has under 3 corners.
 template <typename PointRange, typename PolygonRange, typename PointMap,
           typename Traits = Default_traits>
@@ -280,7 +303,13 @@ Raw_shape read_soup(const PointRange& points, const PolygonRange& polygons, cons
   }
   control.check();
   scale_polygons(raw);
-  const std::vector<Polygon_side> sides = sorted_sides(vertices, raw.first_corner);
+  std::vector<Polygon_side> sides = sorted_sides(vertices, raw.first_corner);
+  raw.is_double = doubled_polygons(vertices, raw.first_corner, sides);
+  if (!raw.is_double.empty()) // what is left hangs together as if they were not there
+    sides.erase(std::remove_if(sides.begin(), sides.end(),
+                               [&raw](const Polygon_side& side)
+                               { return raw.is_double[side.face] != 0; }),
+                sides.end());
   control.check();
   link_across_edges(sides, raw);
   orient_soup(sides, raw);

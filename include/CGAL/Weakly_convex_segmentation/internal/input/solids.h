@@ -38,7 +38,7 @@ inline std::map<Index, Mesh_piece> mesh_pieces(const Raw_shape& raw, Disjoint_se
   std::vector<std::size_t> links(raw.positions.size(), 0);
   for (const auto& [f, g] : raw.links)
   {
-    const auto [first, second] = std::minmax(sets.find(f), sets.find(g));
+    const auto [first, second] = std::minmax({sets.find(f), sets.find(g)});
     sets.join_named(first, second);
     ++links[f], ++links[g];
   }

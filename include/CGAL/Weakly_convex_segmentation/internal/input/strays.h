@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -94,19 +95,19 @@ inline Bulk find_bulk(const std::vector<Coordinates>& positions)
 /// Points that hang together: no point of another is in a cell beside one of theirs.
 struct Cluster
 {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   std::size_t size = 0;
-  Coordinates low, high; ///< corners of the box
-  double nearest = 0.;   ///< distance of a point to the center of the bulk, the least
+  Coordinates low = {infinity, infinity, infinity}; ///< of the box
+  Coordinates high = {-infinity, -infinity, -infinity};
+  double nearest = infinity; ///< distance of a point to the center of the bulk, the least
   bool is_of_shape = false;
 
-  void add(const Coordinates& p, const double distance)
+  void widen(const Coordinates& first, const Coordinates& last)
   {
-    const bool is_first = size++ == 0;
-    nearest = is_first ? distance : (std::min)(nearest, distance);
     for (int c = 0; c < 3; ++c)
     {
-      low[c] = is_first ? p[c] : (std::min)(low[c], p[c]);
-      high[c] = is_first ? p[c] : (std::max)(high[c], p[c]);
+      low[c] = (std::min)(low[c], first[c]);
+      high[c] = (std::max)(high[c], last[c]);
     }
   }
   double diagonal() const { return distance_between(low, high); }
@@ -117,14 +118,6 @@ struct Cluster
     for (int c = 0; c < 3; ++c)
       between[c] = (std::max)({0., other.low[c] - high[c], low[c] - other.high[c]});
     return std::hypot(between[0], between[1], between[2]);
-  }
-  void join(const Cluster& other)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      low[c] = (std::min)(low[c], other.low[c]);
-      high[c] = (std::max)(high[c], other.high[c]);
-    }
   }
 };
 
@@ -164,17 +157,19 @@ inline Clusters cluster_points(const std::vector<Coordinates>& positions, const 
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     result.of_point[i] = sets.find(result.of_point[i]);
-    result.clusters[result.of_point[i]].add(positions[i],
-                                            distance_between(positions[i], bulk.center));
+    Cluster& cluster = result.clusters[result.of_point[i]];
+    ++cluster.size;
+    cluster.widen(positions[i], positions[i]);
+    cluster.nearest = (std::min)(cluster.nearest, distance_between(positions[i], bulk.center));
   }
   return result;
 }
 
-/// returns the role of each point; nothing if all are of the shape.
+/// returns the role of each point by where it is; nothing if all are of the shape.
 ///
 /// The shape is what reaches into the bulk, and what is large and near to that. Complexity: O(n log n), but linear where
 /// no point is far away.
-inline std::vector<Point_role> point_roles(const std::vector<Coordinates>& positions)
+inline std::vector<Point_role> roles_of_positions(const std::vector<Coordinates>& positions)
 {
   constexpr double large = 0.002, near = 0.5,
                    touching = 0.1; // the latter two of the shape's diagonal
@@ -194,8 +189,7 @@ inline std::vector<Point_role> point_roles(const std::vector<Coordinates>& posit
   {
     if (c.size == 0 || c.nearest > bulk.size) continue;
     c.is_of_shape = true;
-    if (shape.size == 0) shape = c;
-    shape.join(c);
+    shape.widen(c.low, c.high);
   }
   for (bool has_grown = true; has_grown;)
   {
@@ -204,7 +198,7 @@ inline std::vector<Point_role> point_roles(const std::vector<Coordinates>& posit
     {
       if (c.is_of_shape || !is_large(c) || c.gap(shape) > near * shape.diagonal()) continue;
       c.is_of_shape = has_grown = true;
-      shape.join(c);
+      shape.widen(c.low, c.high);
     }
   }
   const auto role_of = [&](const Cluster& c)
@@ -218,6 +212,16 @@ inline std::vector<Point_role> point_roles(const std::vector<Coordinates>& posit
   const auto of_shape = std::count(roles.begin(), roles.end(), Point_role::SHAPE);
   const double others = static_cast<double>(roles.size()) - static_cast<double>(of_shape);
   if (others == 0. || others > most * static_cast<double>(roles.size())) return {};
+  return roles;
+}
+
+/// returns the role of each point; nothing if all are of the shape. Doubled faces are left out as strays are.
+inline std::vector<Point_role> point_roles(const Raw_shape& raw)
+{
+  std::vector<Point_role> roles = roles_of_positions(raw.positions);
+  if (!raw.is_double.empty()) roles.resize(raw.positions.size(), Point_role::SHAPE);
+  for (std::size_t f = 0; f < raw.is_double.size(); ++f)
+    if (raw.is_double[f] != 0) roles[f] = Point_role::STRAY;
   return roles;
 }
 

@@ -167,6 +167,12 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
   return result;
 }
 
+/// gives strays the label of the element that is nearest to them.
+inline void label_strays(const Oriented_points& points, std::vector<int>& labels)
+{
+  for (const auto& [stray, near] : points.strays) labels[stray] = labels[near];
+}
+
 /// returns one label an input element from those of the points: what most of its points have, the
 /// smallest of such. Strays have that of another element.
 inline std::vector<int> element_labels(const Oriented_points& points,
@@ -191,7 +197,7 @@ inline std::vector<int> element_labels(const Oriented_points& points,
     const auto [element, label] = votes[first];
     if (last - first > most[element]) most[element] = last - first, result[element] = label;
   }
-  for (const auto& [stray, near] : points.strays) result[stray] = result[near];
+  label_strays(points, result);
   return result;
 }
 

@@ -177,7 +177,7 @@ supervoxel_pieces(const Oriented_points& positions, const Supervoxels& supervoxe
   for (const Index s : supervoxels.of_point) ++points[sets.find(s)];
   for (const Convexity_graph::Edge& e : edges)
     graphs[sets.find(e.first)].edges.push_back({local[e.first], local[e.second], e.weight});
-  const double all = static_cast<double>(supervoxels.of_point.size());
+  const double all = static_cast<double>(near_points(positions).size());
   for (Index r = 0; r < supervoxels.count; ++r)
   {
     const double wanted = static_cast<double>(number_of_patches) * static_cast<double>(points[r]);

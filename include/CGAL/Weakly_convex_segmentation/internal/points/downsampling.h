@@ -131,6 +131,12 @@ inline Representatives represent_groups(const Oriented_points& points,
     thinned.elements.push_back(static_cast<Index>(g));
     if (!points.solids.empty()) thinned.solids.push_back(groups[g].solid);
   }
+  if (!points.is_far.empty())
+  {
+    thinned.is_far.resize(groups.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      thinned.is_far[result.of_point[i]] = points.is_far[i];
+  }
   thinned.links = renamed_links(points.links, result.of_point);
   return result;
 }

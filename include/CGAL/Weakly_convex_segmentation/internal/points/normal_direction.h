@@ -14,7 +14,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
 
 #include <cmath>
-#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
@@ -24,15 +24,16 @@ namespace internal {
 ///
 /// The normals of a closed surface add up to zero, weighted by area, and their products with the
 /// positions to three times the volume, which is negative if they point inwards. Open surfaces, such as
-/// a view from one side into a bowl, give no answer. `points` should lie about equally dense.
+/// a view from one side into a bowl, give no answer; what is far away has no say. `points` should lie about equally dense.
 inline bool is_inside_out(const Oriented_points& points)
 {
   constexpr double largest_opening = 0.1, least_volume = 0.1;
   double volume = 0., lengths = 0., sum[3] = {0., 0., 0.}, center[3] = {0., 0., 0.};
-  const double n = static_cast<double>(points.size());
-  for (const Vector3& p : points.positions)
-    for (int c = 0; c < 3; ++c) center[c] += static_cast<double>(p[c]) / n;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  const std::vector<Index> near = near_points(points);
+  const double n = static_cast<double>(near.size());
+  for (const Index i : near)
+    for (int c = 0; c < 3; ++c) center[c] += static_cast<double>(points.positions[i][c]) / n;
+  for (const Index i : near)
   {
     double square = 0.;
     for (int c = 0; c < 3; ++c)

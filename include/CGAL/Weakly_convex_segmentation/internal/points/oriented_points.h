@@ -77,6 +77,7 @@ struct Oriented_points
   std::vector<std::array<Index, 2>> strays;
   std::vector<std::array<Index, 2>> links; ///< pairs of points known to be neighbors
   std::vector<Index> solids;               ///< of each point, see `find_solids()`; or empty
+  std::vector<char> is_far;                ///< of each point: of something else, far away; or empty
   double extent = 1.;                      ///< in units of the input
   Placement placement;
   std::size_t number_of_elements = 0; ///< of the input; several points may share one
@@ -85,6 +86,15 @@ struct Oriented_points
   /// the closed piece of a mesh that a point is of, or 0
   Index solid(const std::size_t i) const { return solids.empty() ? 0 : solids[i]; }
 };
+
+/// returns the points that are of the shape itself, ascending.
+inline std::vector<Index> near_points(const Oriented_points& points)
+{
+  std::vector<Index> result;
+  for (Index i = 0; i < points.size(); ++i)
+    if (points.is_far.empty() || points.is_far[i] == 0) result.push_back(i);
+  return result;
+}
 
 /// returns whether points of two solids may be neighbors. What is of none joins what it touches.
 inline bool may_be_neighbors(const Index solid, const Index other)
@@ -281,6 +291,8 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
     for (std::size_t i = 0; i < n; ++i) rank[order[i]] = static_cast<Index>(i);
     points.links = renamed_links(raw.links, rank);
   }
+  if (!raw.is_far.empty())
+    for (const Index i : order) points.is_far.push_back(raw.is_far[i]);
   if (!raw.solids.empty())
     for (const Index i : order) points.solids.push_back(raw.solids[i]);
   points.placement = {
