@@ -4,8 +4,8 @@
 // Segments the meshes of the Princeton Segmentation Benchmark (Chen et al. 2009) and scores the parts
 // against those of people.
 
-#include "common/set_parameter.h"
 #include "metrics/princeton_benchmark.h"
+#include "program/set_parameter.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

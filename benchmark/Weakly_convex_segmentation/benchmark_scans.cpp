@@ -4,7 +4,7 @@
 // Segments incomplete clouds of the meshes of the Princeton Segmentation Benchmark: what a depth camera
 // sees from some sides, and samples with holes; scores them on the points that are there.
 
-#include "common/set_parameter.h"
+#include "program/set_parameter.h"
 #include "scans/scan_conditions.h"
 #include "scans/scan_methods.h"
 #include "scans/scan_rows.h"

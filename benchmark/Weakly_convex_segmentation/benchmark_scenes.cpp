@@ -4,8 +4,8 @@
 // Scores the objects and parts that segment_scene and methods of others find in depth-camera scenes
 // against their labels.
 
-#include "common/set_parameter.h"
 #include "io/read_shape.h"
+#include "program/set_parameter.h"
 #include "scenes/scene_methods.h"
 #include "scenes/scene_scores.h"
 

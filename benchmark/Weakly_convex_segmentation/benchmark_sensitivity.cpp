@@ -5,8 +5,8 @@
 // by 3 and by 10 percent of its value down and up, as one JSON file. What only touches merging and
 // borders is run on one analysis of the shape.
 
-#include "common/set_parameter.h"
 #include "metrics/princeton_benchmark.h"
+#include "program/set_parameter.h"
 
 #include "io/atomic_file.h"
 

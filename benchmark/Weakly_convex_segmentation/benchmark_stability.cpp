@@ -8,8 +8,8 @@
 //   benchmark_stability DATA_DIR [--preset default|training_free|paper] [--set NAME=VALUE] [--per-category N]
 //                       [--points]
 
-#include "common/set_parameter.h"
 #include "common/shape_variants.h"
+#include "program/set_parameter.h"
 
 #include <boost/program_options.hpp>
 

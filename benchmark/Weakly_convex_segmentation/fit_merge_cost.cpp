@@ -13,9 +13,9 @@
 // four_views, noisy_scan, and NAME=VALUE is a member of Parameters. TABLES is a folder with tables of trees,
 // K.txt, and folds.txt, which names a model and its table a line.
 
-#include "common/set_parameter.h"
 #include "fit/patch_scores.h"
 #include "fit/saved_models.h"
+#include "program/set_parameter.h"
 
 #include "fit/pair_feature_names.h"
 #include <CGAL/Weakly_convex_segmentation/internal/merging/Learned_cost.h>

@@ -8,7 +8,7 @@
 // SHAPE is a mesh file or a shape of make_shapes, PRESET default, training_free or paper. All elements are faces,
 // numbered in input order; lengths are in units of the input.
 
-#include "common/set_parameter.h"
+#include "program/set_parameter.h"
 
 #include "io/atomic_file.h"
 #include "io/read_shape.h"

@@ -12,8 +12,8 @@
 // seed alone is overfit to it. The named parameters are searched from there on. HALF is 0 or 1 to search on every second model only,
 // to see on the other half what a gain is worth; 2 for all.
 
-#include "common/set_parameter.h"
 #include "fit/saved_models.h"
+#include "program/set_parameter.h"
 
 #include <algorithm>
 #include <array>

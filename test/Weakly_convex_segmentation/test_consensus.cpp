@@ -306,6 +306,36 @@ BOOST_AUTO_TEST_CASE(fewer_segments_can_be_asked_for)
   }
 }
 
+BOOST_AUTO_TEST_CASE(as_many_segments_as_are_wanted)
+{
+  for (const Parameters& preset : {Parameters(), Parameters::training_free(), Parameters::paper()})
+    for (const char* name : {"hand", "table"})
+    {
+      const auto mesh = Shape_generator::make_mesh(name, 4000);
+      for (const std::size_t wanted : {2u, 5u, 9u, 15u})
+      {
+        Parameters parameters = preset;
+        parameters.minimum_number_of_segments = parameters.maximum_number_of_segments = wanted;
+        BOOST_CHECK_EQUAL(segmented(mesh, parameters).number_of_segments(), wanted);
+      }
+    }
+  // the number of true parts gives the true parts, where they were found before or not
+  for (const char* name : {"table", "chair", "dumbbell", "airplane"})
+  {
+    const auto mesh = Shape_generator::make_mesh(name, 4000);
+    Parameters parameters;
+    const double before = rand_distance(segmented(mesh, parameters).labels, mesh.labels);
+    parameters.minimum_number_of_segments = parameters.maximum_number_of_segments =
+        mesh.part_names.size();
+    const double told = rand_distance(segmented(mesh, parameters).labels, mesh.labels);
+    BOOST_CHECK_LE(told, before + 0.01);
+  }
+  Parameters wrong;
+  wrong.minimum_number_of_segments = 4;
+  wrong.maximum_number_of_segments = 3;
+  BOOST_CHECK_THROW(wrong.check(), std::invalid_argument);
+}
+
 BOOST_AUTO_TEST_CASE(the_segments_are_steadier_than_those_of_one_set)
 {
   double of_one = 0., of_three = 0.;

@@ -8,8 +8,8 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include "common/set_parameter.h"
 #include "compiled_core.h"
+#include "program/set_parameter.h"
 #include "shapes_for_tests.h"
 
 #include <cmath>
@@ -107,6 +107,7 @@ std::vector<Setting> settings()
           {"maximum_rays_per_pair", "default", "hand", 1.},
           {"minimum_segment_share", "default", "dumbbell", 0.4},
           {"symmetry_tolerance", "default", "figure", 0.},
+          {"minimum_number_of_segments", "default", "dumbbell", 9.},
           {"maximum_number_of_segments", "default", "dumbbell", 1.},
           {"band_width", "default", "hand", 0.05}};
 }

@@ -205,6 +205,10 @@ BOOST_AUTO_TEST_CASE(stages_and_limits_change_the_number_of_parts)
   BOOST_TEST(segments == count({}));
   BOOST_TEST(count({"--max-segments", "2"}) <= 2u);
   BOOST_TEST(count({"--max-segments", "1"}) == 1u);
+  BOOST_TEST(count({"--segments", "4"}) == 4u);
+  BOOST_TEST(count({"--segments", "12"}) == 12u);
+  BOOST_TEST(count({"--set", "merging_threshold=1", "--set", "maximum_number_of_segments=2"}) <=
+             2u);
   BOOST_TEST(count({"--preset", "paper"}) >= 1u);
   BOOST_TEST(count({"--diameters", "cgal"}) >= 2u);
 }
@@ -288,6 +292,11 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused)
                                        {"--seed"},
                                        {"--threads", "0"},
                                        {"--max-segments", "0"},
+                                       {"--segments", "0"},
+                                       {"--segments", "3", "--max-segments", "3"},
+                                       {"--set", "seed"},
+                                       {"--set", "no_such=1"},
+                                       {"--set", "merging_threshold=2"},
                                        {"--preset", "best"},
                                        {"--diameters", "other"},
                                        {"--stage", "parts"},

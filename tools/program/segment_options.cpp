@@ -3,6 +3,8 @@
 
 #include "program/segment_options.h"
 
+#include "program/set_parameter.h"
+
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -33,8 +35,9 @@ namespace po = boost::program_options;
 // All numbers are read as signed ones: read as unsigned, -1 would be a large number.
 struct Numbers
 {
-  long long max_segments = 0, seed = 0, threads = 0;
+  long long segments = 0, max_segments = 0, seed = 0, threads = 0;
   double min_segment_share = 0.;
+  std::vector<std::string> settings; ///< NAME=VALUE
 };
 
 po::options_description described_options(Options& options, Numbers& numbers)
@@ -67,11 +70,15 @@ po::options_description described_options(Options& options, Numbers& numbers)
       "how thick the shape is at a face: measured on points, or by CGAL's shape diameter function, "
       "which takes "
       "longer and needs a manifold mesh of triangles (default: own)");
+  add("segments", po::value(&numbers.segments)->value_name("N"),
+      "make N segments, if the shape can be cut into so many");
   add("max-segments", po::value(&numbers.max_segments)->value_name("N"),
-      "merge on until there are at most N segments");
+      "join segments until there are at most N");
   add("min-segment-size", po::value(&numbers.min_segment_share)->value_name("SHARE"),
       "give segments under this share of the shape, 0 to 1, to a neighbor (default: that of "
       "the preset)");
+  add("set", po::value(&numbers.settings)->value_name("NAME=VALUE"),
+      "set a member of Parameters, such as merging_threshold=0.4; may be repeated");
   add("seed", po::value(&numbers.seed)->value_name("N"), "seed of all random choices (default: 0)");
   add("threads", po::value(&numbers.threads)->value_name("N"),
       "number of threads; the result does not depend on it (default: all)");
@@ -154,7 +161,10 @@ void apply(const Numbers& numbers, Options& options)
   else if (options.diameters != "own")
     refuse("--diameters is '" + options.diameters + "', give own or cgal");
 
-  options.parameters.maximum_number_of_segments = static_cast<std::size_t>(numbers.max_segments);
+  if (numbers.segments > 0)
+    options.parameters.minimum_number_of_segments = static_cast<std::size_t>(numbers.segments);
+  options.parameters.maximum_number_of_segments =
+      static_cast<std::size_t>(numbers.segments > 0 ? numbers.segments : numbers.max_segments);
   options.parameters.seed = static_cast<unsigned int>(numbers.seed);
   options.number_of_threads = static_cast<std::size_t>(numbers.threads);
 }
@@ -197,6 +207,9 @@ Options read_options(const int argc, const char* const argv[])
   const auto given = internal::given_options(argc, argv, described);
   if (given.count("input")) options.input = given["input"].as<std::string>();
   internal::check_files(given, options);
+  internal::check_range(given, "segments", numbers.segments, 1, 1000000000);
+  if (given.count("segments") && given.count("max-segments"))
+    internal::refuse("there are both --segments and --max-segments; give one of them");
   internal::check_range(given, "max-segments", numbers.max_segments, 1, 1000000000);
   internal::check_range(given, "seed", numbers.seed, 0, 4294967295);
   internal::check_range(given, "threads", numbers.threads, 1, 1024);
@@ -207,6 +220,9 @@ Options read_options(const int argc, const char* const argv[])
       internal::refuse("--min-segment-size is not a share; give a number from 0 to 1");
     options.parameters.minimum_segment_share = numbers.min_segment_share;
   }
+  for (const std::string& setting : numbers.settings)
+    Named_parameters::set_parameter(options.parameters, setting);
+  options.parameters.check();
   const bool asks_for_nothing = !given.count("input") && options.dense_file.empty() &&
                                 output_files(options).empty() && options.split_folder.empty();
   if (asks_for_nothing) options.parts_file = "parts.ply";

@@ -89,9 +89,11 @@ public:
     m_merges.push_back({first, second, cost});
   }
   void set_fused() { m_fusions = m_merges.size(); }
-  void set_accepted(const double threshold)
+  void set_accepted(const double threshold, const std::size_t fewest_segments = 0)
   {
-    m_accepted = m_merges.size();
+    m_accepted = (std::min)(m_merges.size(),
+                            m_number_of_patches - (std::min)(m_number_of_patches, fewest_segments));
+    m_fusions = (std::min)(m_fusions, m_accepted);
     m_threshold = threshold;
   }
   /// \endcond

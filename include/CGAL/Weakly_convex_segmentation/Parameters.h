@@ -206,9 +206,11 @@ struct Merging_parameters
   /// points are at most so far from the surface on average, relative to the extent, both sides are decided together;
   /// `[0, 1]`, 0: never
   double symmetry_tolerance = 0.008;
-  /// The contraction goes on until there are at most so many segments; 0: no limit; `[0, 1e9]`. It does not
-  /// make more segments than there would be without.
+  /// Segments are joined until there are at most so many; 0: no limit; `[0, 1e9]`
   std::size_t maximum_number_of_segments = 0;
+  /// Segments are divided until there are at least so many, or as many as there are patches; `[0, 1e9]`. With the
+  /// maximum, that is the number that is wanted, and may not be larger.
+  std::size_t minimum_number_of_segments = 0;
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -348,6 +350,7 @@ void for_each_parameter(Parameters_& p, const Function& f)
   f("minimum_segment_share", p.minimum_segment_share, 0., 1.);
   f("symmetry_tolerance", p.symmetry_tolerance, 0., 1.);
   f("maximum_number_of_segments", p.maximum_number_of_segments, 0., 1e9);
+  f("minimum_number_of_segments", p.minimum_number_of_segments, 0., 1e9);
 
   f("refinement", p.refinement, 0., 2.);
   f("band_width", p.band_width, 0., 1.);
@@ -381,6 +384,10 @@ struct Range_check
 inline void Parameters::check() const
 {
   internal::for_each_parameter(*this, internal::Range_check());
+  if (maximum_number_of_segments > 0 && minimum_number_of_segments > maximum_number_of_segments)
+    throw std::invalid_argument(
+        "minimum_number_of_segments is " + std::to_string(minimum_number_of_segments) +
+        ", but maximum_number_of_segments only " + std::to_string(maximum_number_of_segments));
   if (merging == Merging_rule::COST) return;
   internal::check_range("merging_threshold", merging_threshold, 0., 1.);
   if (merging == Merging_rule::FITTED)

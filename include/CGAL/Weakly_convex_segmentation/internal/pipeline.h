@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -81,9 +82,42 @@ inline Mirror mirror_of(const Shape_analysis& shape, const Parameters& parameter
   return mirror;
 }
 
+inline std::size_t number_of_labels(const std::vector<int>& labels)
+{
+  return std::set<int>(labels.begin(), labels.end()).size();
+}
+
 inline int first_unused(const std::vector<int>& labels)
 {
   return 1 + *std::max_element(labels.begin(), labels.end());
+}
+
+/// returns the labels at a share of the votes, or at one where their number is as it is asked for: the next larger
+/// number where none is, as the merge tree can join them, but has no better way to divide them.
+template <typename Labels_at>
+std::vector<int> consensus_of_number(const Labels_at& labels_at, double share,
+                                     const Merging_parameters& parameters)
+{
+  constexpr int rounds = 12;
+  std::vector<int> labels = labels_at(share);
+  const std::size_t most = parameters.maximum_number_of_segments,
+                    fewest = parameters.minimum_number_of_segments;
+  const std::size_t before = number_of_labels(labels);
+  const bool has_too_many = most > 0 && before > most;
+  if (!has_too_many && before >= fewest) return labels;
+  const std::size_t wanted = has_too_many ? most : fewest;
+  double low = has_too_many ? 0. : share, high = has_too_many ? share : 1.;
+  for (int round = 0; round < rounds && number_of_labels(labels) != wanted; ++round)
+  {
+    share = 0.5 * (low + high);
+    std::vector<int> other = labels_at(share);
+    const std::size_t number = number_of_labels(other);
+    (number < wanted ? low : high) = share;
+    const std::size_t best = number_of_labels(labels);
+    if (best < wanted ? number > best : number >= wanted && number < best)
+      labels = std::move(other);
+  }
+  return labels;
 }
 
 /// returns the segment of each representative: what the sets of patches agree on. The borders of each set's
@@ -106,10 +140,25 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   const double least = are_cuts ? least_share_of_cuts : 1. - parameters.merging_threshold;
   const double minimum_size =
       parameters.minimum_segment_share * static_cast<double>(shape.points().size());
-  std::vector<int> labels = consensus_labels(std::move(votes), least, minimum_size, mirror.image);
+  std::vector<int> labels =
+      consensus_of_number([&](const double share)
+                          { return consensus_labels(votes, share, minimum_size, mirror.image); },
+                          least, parameters);
   absorb_strips(shape.graph, labels);
-  Torn_parts(shape.points().links, labels).mend(minimum_size, first_unused(labels));
+  if (!shape.points().links.empty())
+  {
+    Torn_parts(shape.points().links, labels).join_small(minimum_size);
+    Torn_parts(shape.points().links, labels).divide(first_unused(labels));
+  }
   return labels;
+}
+
+/// gives segments that have lost all of their elements what they had before.
+inline void keep_segments(const std::vector<int>& before, std::vector<int>& labels)
+{
+  const std::set<int> there(labels.begin(), labels.end());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (there.count(before[i]) == 0) labels[i] = before[i];
 }
 
 /// refines the borders and carries the labels to the input.
@@ -120,17 +169,21 @@ inline Result finish_segmentation(const Shape_analysis& shape, Representative_la
   Result result;
   const auto refine = [&]
   {
+    const std::vector<int> unrefined = labels.segments;
     const std::size_t moved =
         refine_borders(shape.graph, parameters, labels.segments, control.parallel);
     control.check();
     result.labels = element_labels(
         shape.input, carry_labels(shape, labels.segments, parameters, control), control.parallel);
     if (parameters.refinement == Refinement_rule::SEAM_CUTS && parameters.band_width > 0.)
+    {
       straighten_borders(shape.faces, shape.input, parameters, control, result.labels);
-    if (!shape.faces.links.empty())
       Torn_parts(shape.faces.links, result.labels)
-          .mend(parameters.minimum_segment_share * static_cast<double>(result.labels.size()), 0);
-    label_strays(shape.input, result.labels);
+          .join_small(parameters.minimum_segment_share * static_cast<double>(result.labels.size()));
+      label_strays(shape.input, result.labels);
+    }
+    if (parameters.minimum_number_of_segments > 0)
+      keep_segments(element_labels(shape.input, labels_of_points(shape, unrefined)), result.labels);
     return moved;
   };
   const auto describe = [&]

@@ -12,6 +12,7 @@
 // The faces of a mesh that lie near the borders of a labeling, with their true edges and vertices: all that is
 // looked at when borders are straightened. The rest of the mesh is not even welded.
 
+#include <CGAL/Weakly_convex_segmentation/internal/input/polygons.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
@@ -90,21 +91,15 @@ inline void choose_faces(const Mesh_faces& mesh, const std::vector<int>& labels,
   const std::vector<int> steps = steps_to_border(mesh.links, labels, most);
   for (Index f = 0; f < labels.size(); ++f)
     if (steps[f] <= most) border.faces.push_back(f);
-  const auto corners_of = [&](const Index f)
-  {
-    return std::make_pair(mesh.corners.begin() + static_cast<std::ptrdiff_t>(mesh.first_corner[f]),
-                          mesh.corners.begin() +
-                              static_cast<std::ptrdiff_t>(mesh.first_corner[f + 1]));
-  };
-  std::sort(border.faces.begin(), border.faces.end(),
-            [&](const Index f, const Index g)
-            {
-              const auto [a, a_end] = corners_of(f);
-              const auto [b, b_end] = corners_of(g);
-              if (std::lexicographical_compare(a, a_end, b, b_end)) return true;
-              if (std::lexicographical_compare(b, b_end, a, a_end)) return false;
-              return f < g;
-            });
+  std::vector<std::pair<Coordinates, Index>> places;
+  for (const Index f : border.faces)
+    places.push_back(
+        {centroid_of(
+             {mesh.corners.begin() + static_cast<std::ptrdiff_t>(mesh.first_corner[f]),
+              mesh.corners.begin() + static_cast<std::ptrdiff_t>(mesh.first_corner[f + 1])}),
+         f});
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 0; i < places.size(); ++i) border.faces[i] = places[i].second;
   for (const Index f : border.faces) border.may_change.push_back(steps[f] < most ? 1 : 0);
 }
 
@@ -127,6 +122,13 @@ inline void weld_vertices(const Mesh_faces& mesh, Placement placement, Border_me
       border.vertices.push_back(placement.point(corners[i].first));
     border.vertices_of_face.entries[corners[i].second] =
         static_cast<Index>(border.vertices.size() - 1);
+  }
+  for (std::size_t f = 0; f < border.vertices_of_face.size();
+       ++f) // from anywhere on and of any side
+  {
+    const auto row = border.vertices_of_face[f];
+    std::rotate(row.begin(), std::min_element(row.begin(), row.end()), row.end());
+    if (row.begin()[1] > row.end()[-1]) std::reverse(row.begin() + 1, row.end());
   }
   border.faces_of_vertex = rows_of_entries(border.vertices_of_face, border.vertices.size());
 }

@@ -65,25 +65,25 @@ public:
           ++m_contacts[{m_pieces[a], m_pieces[b]}];
   }
 
-  /// gives small pieces to the neighbor with the longest border. Those of `enough` points or more that are not a mere
-  /// crumb of the part become parts of their own, with labels from `next_label` on; or stay, if that is 0.
-  void mend(const double enough, int next_label)
+  /// gives small pieces to the neighbor with the longest border: those of fewer than `enough` points, and mere crumbs of
+  /// a part.
+  void join_small(const double enough)
   {
     constexpr double crumb = 0.1; // of the largest piece
-    if (m_torn.empty()) return;
     std::map<Index, int> label;
     for (const auto& [size, piece, largest] : m_torn)
-    {
-      const double least = (std::max)(enough, crumb * static_cast<double>(m_sizes[largest]));
-      const bool is_part = static_cast<double>(size) >= least;
-      if (is_part && next_label == 0) continue;
-      label[piece] = is_part ? next_label++ : neighbor_of(piece, label);
-    }
-    for (std::size_t i = 0; i < m_labels.size(); ++i)
-    {
-      const auto found = label.find(m_pieces[i]);
-      if (found != label.end()) m_labels[i] = found->second;
-    }
+      if (static_cast<double>(size) <
+          (std::max)(enough, crumb * static_cast<double>(m_sizes[largest])))
+        label[piece] = neighbor_of(piece, label);
+    set_labels(label);
+  }
+
+  /// makes all pieces parts of their own, with labels from `next_label` on.
+  void divide(int next_label)
+  {
+    std::map<Index, int> label;
+    for (const Torn& torn : m_torn) label[torn.piece] = next_label++;
+    set_labels(label);
   }
 
 private:
@@ -96,6 +96,15 @@ private:
       return size < t.size || (size == t.size && piece < t.piece);
     }
   };
+
+  void set_labels(const std::map<Index, int>& label)
+  {
+    for (std::size_t i = 0; i < m_labels.size() && !label.empty(); ++i)
+    {
+      const auto found = label.find(m_pieces[i]);
+      if (found != label.end()) m_labels[i] = found->second;
+    }
+  }
 
   Index largest_of(const Index i, const Index of_mesh) const
   {

@@ -39,10 +39,11 @@ inline double squared_distance(const Coordinates& a, const Coordinates& b)
 }
 
 /// calls `piece(centroid)` for the pieces of a triangle, halved at its longest edge until no edge is
-/// longer than `longest`.
+/// longer than `longest`: the same, in the same order, whatever the order of the corners.
 template <typename Piece>
-void for_each_piece(const Triangle& triangle, const double longest, const Piece& piece)
+void for_each_piece(Triangle triangle, const double longest, const Piece& piece)
 {
+  std::sort(triangle.begin(), triangle.end());
   constexpr int most_cuts = 40; // against edges that rounding keeps from getting shorter
   std::vector<std::pair<Triangle, int>> pending = {{triangle, 0}};
   while (!pending.empty())

@@ -14,6 +14,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -35,14 +36,15 @@ inline double dot(const Coordinates& a, const Coordinates& b)
 
 inline double length(const Coordinates& a) { return std::hypot(a[0], a[1], a[2]); }
 
-/// returns the normal of a polygon, as long as twice its area.
+/// returns the normal of a polygon, as long as twice its area; of a triangle the same to the last bit from any corner
+/// on, and its opposite if it is turned over.
 inline Coordinates area_vector(const std::vector<Coordinates>& polygon)
 {
+  const Coordinates origin = *std::min_element(polygon.begin(), polygon.end());
   Coordinates normal = {0., 0., 0.};
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    const Coordinates a = polygon[i] - polygon[0];
-    const Coordinates b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    const Coordinates a = polygon[i] - origin, b = polygon[(i + 1) % polygon.size()] - origin;
     normal[0] += a[1] * b[2] - a[2] * b[1];
     normal[1] += a[2] * b[0] - a[0] * b[2];
     normal[2] += a[0] * b[1] - a[1] * b[0];
@@ -50,13 +52,20 @@ inline Coordinates area_vector(const std::vector<Coordinates>& polygon)
   return normal;
 }
 
-/// adds centroid, area vector and corners of a polygon.
-inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_shape& raw)
+/// returns the mean of the corners, the same to the last bit in any order.
+inline Coordinates centroid_of(std::vector<Coordinates> polygon)
 {
+  std::sort(polygon.begin(), polygon.end());
   Coordinates centroid = {0., 0., 0.};
   for (const Coordinates& corner : polygon)
     for (int c = 0; c < 3; ++c) centroid[c] += corner[c] / static_cast<double>(polygon.size());
-  raw.positions.push_back(centroid);
+  return centroid;
+}
+
+/// adds centroid, area vector and corners of a polygon.
+inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_shape& raw)
+{
+  raw.positions.push_back(centroid_of(polygon));
   raw.normals.push_back(area_vector(polygon));
   if (raw.first_corner.empty()) raw.first_corner.push_back(0);
   raw.corners.insert(raw.corners.end(), polygon.begin(), polygon.end());

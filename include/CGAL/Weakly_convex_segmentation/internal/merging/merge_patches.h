@@ -128,16 +128,17 @@ inline void complete_segments(Region_graph& graph, Merge_strategy& strategy,
 /// marks the segments in the merge tree, after more merges if there are too many, and goes on to one region.
 /// Returns the number of segments.
 inline std::size_t merge_segments(Region_graph& graph, Merge_strategy& strategy,
-                                  const std::size_t most, const Contraction_log& log)
+                                  const Merging_parameters& parameters, const Contraction_log& log)
 {
+  const std::size_t most = parameters.maximum_number_of_segments;
   const auto cost = [&](const int a, const int b) { return strategy.cost_above_threshold(a, b); };
   if (most > 0)
   {
     contract(graph, cost, log, most);
     merge_nonadjacent(graph, log, most);
   }
-  log.tree.set_accepted(strategy.merging_threshold());
-  const std::size_t accepted = graph.number_of_regions();
+  log.tree.set_accepted(strategy.merging_threshold(), parameters.minimum_number_of_segments);
+  const std::size_t accepted = log.tree.number_of_patches() - log.tree.number_of_accepted_merges();
   contract(graph, cost, log);
   merge_nonadjacent(graph, log, 1);
   return accepted;
@@ -168,8 +169,7 @@ inline Merge_tree merge_within_segments(const Shape_analysis& shape, const Cut_p
                 {
                   strategy->merge(within);
                   complete_segments(graph, *strategy, within);
-                  return merge_segments(graph, *strategy, parameters.maximum_number_of_segments,
-                                        log);
+                  return merge_segments(graph, *strategy, parameters, log);
                 });
   return tree;
 }

@@ -118,6 +118,18 @@ inline std::vector<Index> carry_from_samples(const Shape_analysis& shape,
   return result;
 }
 
+/// returns for each input point the label of its representative.
+inline std::vector<int> labels_of_points(const Shape_analysis& shape,
+                                         const std::vector<int>& labels,
+                                         const bool parallel = false)
+{
+  std::vector<int> result(shape.input.size());
+  parallel_for(
+      result.size(), parallel,
+      [&](const std::size_t i) { result[i] = labels[shape.representative(i)]; }, 4096);
+  return result;
+}
+
 /// returns the labels of the input points in spatial order, from those of the representatives, with
 /// the borders refined anew among the points themselves: only those near a border are looked at.
 ///
@@ -127,10 +139,7 @@ inline std::vector<int> carry_labels(const Shape_analysis& shape, const std::vec
                                      const Parameters& parameters, const Run_control& control)
 {
   constexpr std::size_t many = 12, samples_per_representative = 6;
-  std::vector<int> result(shape.input.size());
-  parallel_for(
-      result.size(), control.parallel,
-      [&](const std::size_t i) { result[i] = labels[shape.representative(i)]; }, 4096);
+  std::vector<int> result = labels_of_points(shape, labels, control.parallel);
   if (shape.representatives.of_point.empty() || parameters.refinement == Refinement_rule::NONE ||
       parameters.band_width == 0.)
     return result;
@@ -206,11 +215,8 @@ inline std::vector<int> element_patches(const Shape_analysis& shape,
                                         const std::vector<int>& of_representative,
                                         const bool parallel = false)
 {
-  std::vector<int> patches(shape.input.size());
-  parallel_for(
-      patches.size(), parallel,
-      [&](const std::size_t i) { patches[i] = of_representative[shape.representative(i)]; }, 4096);
-  return element_labels(shape.input, patches, parallel);
+  return element_labels(shape.input, labels_of_points(shape, of_representative, parallel),
+                        parallel);
 }
 
 /// returns for each representative the label of the element of one of its points.

@@ -291,8 +291,11 @@ inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
                                                const bool parallel,
                                                const Patch_clustering& clustering)
 {
-  const Supervoxels supervoxels = build_supervoxels(points, graph, parameters.number_of_supervoxels,
-                                                    parameters.patch_concavity_tolerance);
+  // what is far away has supervoxels of its own besides
+  const std::size_t supervoxel_count =
+      parameters.number_of_supervoxels * points.size() / near_points(points).size();
+  const Supervoxels supervoxels =
+      build_supervoxels(points, graph, supervoxel_count, parameters.patch_concavity_tolerance);
   const std::vector<Supervoxel_piece> pieces =
       supervoxel_pieces(points, supervoxels, supervoxel_edges(graph, supervoxels, parameters),
                         parameters.number_of_patches, clustering);

@@ -251,11 +251,12 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
   return represent_groups(points, groups, std::move(of_point));
 }
 
-/// returns the points themselves if they are few, else about `count` representatives.
+/// returns the points themselves if they are few, besides what is far away, else about `count` representatives.
 inline Representatives downsample(const Oriented_points& points, const std::size_t count,
                                   const bool parallel = false, const bool despite_noise = false)
 {
-  if (points.size() > count + count / 4) return thin_points(points, count, parallel, despite_noise);
+  if (near_points(points).size() > count + count / 4)
+    return thin_points(points, count, parallel, despite_noise);
   Representatives all;
   all.points = points;
   return all;

@@ -133,7 +133,10 @@ inline void estimate_normals(Raw_shape& raw, const Run_control& control,
   check_finite(raw.positions, "position");
   raw.normals.assign(raw.positions.size(), {0., 0., 1.});
   if (raw.positions.size() < fewest) return;
+  std::vector<Index> element_of; // the normals are of the points, whatever elements these are of
+  element_of.swap(raw.element_of);
   Oriented_points points = orient_points(raw, parallel, control);
+  element_of.swap(raw.element_of);
   const std::size_t n = points.size();
   std::vector<float> spacing;
   std::vector<Index> nearest =

@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_COMMON_SET_PARAMETER_H
-#define CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_COMMON_SET_PARAMETER_H
+#ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_SET_PARAMETER_H
+#define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_SET_PARAMETER_H
 
-// The parameters of the method by name, for sweeps from a command line: from the one table in Parameters.h.
+// The parameters of the method by name, for command lines: from the one table in Parameters.h.
 
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 
@@ -146,4 +146,4 @@ inline void set_parameter(Parameters& parameters, const std::string& assignment)
 
 } // namespace Named_parameters
 
-#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_BENCHMARK_COMMON_SET_PARAMETER_H
+#endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_SET_PARAMETER_H
