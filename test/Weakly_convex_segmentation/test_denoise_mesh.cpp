@@ -157,3 +157,17 @@ BOOST_AUTO_TEST_CASE(parts_under_much_noise_are_those_of_the_shape)
         double of_rough = 0.; // of five noises: a single one may be worse by chance
         for (const unsigned int seed : {3u, 4u, 5u, 6u, 7u})
           of_rough += error(faces_of_mesh(shaken(mesh, 0.03, seed)), preset) / 5.;
+        BOOST_CHECK_LT(of_rough, error(faces_of_mesh(mesh), preset) + 0.06);
+      }
+      Parameters parameters = Parameters::training_free(); // the default bears some noise on some
+      parameters.denoise = false;
+      BOOST_CHECK_GT(error(rough, parameters), 0.15);
+      parameters = Parameters();
+      parameters.denoise = false;
+      sum += error(rough, parameters);
+    }
+  }
+  BOOST_CHECK_GT(sum / 7., 0.15);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

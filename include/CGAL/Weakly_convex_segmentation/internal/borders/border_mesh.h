@@ -123,9 +123,9 @@ inline void weld_vertices(const Mesh_faces& mesh, Placement placement, Border_me
     border.vertices_of_face.entries[corners[i].second] =
         static_cast<Index>(border.vertices.size() - 1);
   }
-  for (std::size_t f = 0; f < border.vertices_of_face.size();
-       ++f) // from anywhere on and of any side
+  for (std::size_t f = 0; f < border.vertices_of_face.size(); ++f)
   {
+    // whatever the corner that a face begins with, and the side that it is seen from
     const auto row = border.vertices_of_face[f];
     std::rotate(row.begin(), std::min_element(row.begin(), row.end()), row.end());
     if (row.begin()[1] > row.end()[-1]) std::reverse(row.begin() + 1, row.end());

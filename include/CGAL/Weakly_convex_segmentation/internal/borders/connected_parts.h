@@ -65,8 +65,8 @@ public:
           ++m_contacts[{m_pieces[a], m_pieces[b]}];
   }
 
-  /// gives small pieces to the neighbor with the longest border: those of fewer than `enough` points, and mere crumbs of
-  /// a part.
+  /// gives small pieces to the neighbor with the longest border: those of fewer than `enough` points, and mere crumbs
+  /// of a part.
   void join_small(const double enough)
   {
     constexpr double crumb = 0.1; // of the largest piece

@@ -62,8 +62,7 @@ inline std::map<Index, Mesh_piece> mesh_pieces(const Raw_shape& raw, Disjoint_se
 inline std::vector<Index> find_solids(const Raw_shape& raw)
 {
   constexpr double crumb = 0.02; // of the largest area: screws and eyes
-  constexpr double least =
-      2e-4; // of the whole area: each has to have some of a bounded number of points
+  constexpr double least = 2e-4; // of the whole area: each needs some of a bounded number of points
   if (raw.first_corner.size() != raw.positions.size() + 1) return {};
   Disjoint_sets<Index> sets(raw.positions.size());
   const std::map<Index, Mesh_piece> pieces = mesh_pieces(raw, sets);

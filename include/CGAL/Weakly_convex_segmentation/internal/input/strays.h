@@ -167,13 +167,12 @@ inline Clusters cluster_points(const std::vector<Coordinates>& positions, const 
 
 /// returns the role of each point by where it is; nothing if all are of the shape.
 ///
-/// The shape is what reaches into the bulk, and what is large and near to that. Complexity: O(n log n), but linear where
-/// no point is far away.
+/// The shape is what reaches into the bulk, and what is large and near to that. Complexity: O(n log n), but linear
+/// where no point is far away.
 inline std::vector<Point_role> roles_of_positions(const std::vector<Coordinates>& positions)
 {
-  constexpr double large = 0.002, near = 0.5,
-                   touching = 0.1; // the latter two of the shape's diagonal
-  constexpr double out_of_sight = 1e4, most = 0.3;
+  constexpr double large = 0.002, most = 0.3;                      // of the points
+  constexpr double near = 0.5, touching = 0.1, out_of_sight = 1e4; // of the shape's diagonal
   constexpr std::size_t fewest = 5;
   if (positions.size() < 4 * fewest || !has_far_points(positions)) return {};
   const Bulk bulk = find_bulk(positions);

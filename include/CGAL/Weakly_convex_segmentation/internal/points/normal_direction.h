@@ -24,7 +24,8 @@ namespace internal {
 ///
 /// The normals of a closed surface add up to zero, weighted by area, and their products with the
 /// positions to three times the volume, which is negative if they point inwards. Open surfaces, such as
-/// a view from one side into a bowl, give no answer; what is far away has no say. `points` should lie about equally dense.
+/// a view from one side into a bowl, give no answer; what is far away has no say. `points` should lie about
+/// equally dense.
 inline bool is_inside_out(const Oriented_points& points)
 {
   constexpr double largest_opening = 0.1, least_volume = 0.1;
