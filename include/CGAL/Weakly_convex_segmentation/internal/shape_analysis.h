@@ -154,8 +154,8 @@ inline std::size_t prepare_visibility(const Visibility_parameters& parameters,
 }
 
 /// gives strays the nearest of the other elements.
-inline void find_homes(const std::vector<Coordinates>& positions,
-                       const std::vector<Point_role>& roles, Oriented_points& points)
+inline void attach_strays(const std::vector<Coordinates>& positions,
+                          const std::vector<Point_role>& roles, Oriented_points& points)
 {
   constexpr float farthest = 1e6f; // from where on the direction alone matters
   if (roles.empty()) return;
@@ -193,7 +193,7 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
   const auto sample = [&]
   {
     take_samples(std::move(raw), parameters, control, *shape);
-    find_homes(positions, roles, shape->input);
+    attach_strays(positions, roles, shape->input);
     return shape->points().size();
   };
   control.stage(Stage::SAMPLING, sample);

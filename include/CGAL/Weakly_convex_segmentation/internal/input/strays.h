@@ -13,8 +13,11 @@
 // near and what is thin everywhere. Strays are left out, and get the label of what is nearest to them; what is large
 // enough to have parts of its own has them, but no say in the extent.
 
+#include <CGAL/Weakly_convex_segmentation/internal/input/polygons.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <array>
@@ -44,11 +47,6 @@ struct Bulk
   Coordinates center; ///< the median of each coordinate
   double size;        ///< about the diameter of most of the points
 };
-
-inline double distance_between(const Coordinates& a, const Coordinates& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 /// returns whether a shape has points so far away as no shape in one piece has, in linear time.
 inline bool has_far_points(const std::vector<Coordinates>& positions)
@@ -86,8 +84,7 @@ inline Bulk find_bulk(const std::vector<Coordinates>& positions)
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = positions[i][c];
     bulk.center[c] = quantile(values, 0.5);
   }
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = distance_between(positions[i], bulk.center);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = length(positions[i] - bulk.center);
   bulk.size = diameter * quantile(values, 0.75);
   return bulk;
 }
@@ -95,31 +92,26 @@ inline Bulk find_bulk(const std::vector<Coordinates>& positions)
 /// Points that hang together: no point of another is in a cell beside one of theirs.
 struct Cluster
 {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
   std::size_t size = 0;
-  Coordinates low = {infinity, infinity, infinity}; ///< of the box
-  Coordinates high = {-infinity, -infinity, -infinity};
-  double nearest = infinity; ///< distance of a point to the center of the bulk, the least
+  CGAL::Bbox_3 box;
+  /// distance of the points from the center of the bulk, the least
+  double nearest = std::numeric_limits<double>::infinity();
   bool is_of_shape = false;
-
-  void widen(const Coordinates& first, const Coordinates& last)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      low[c] = (std::min)(low[c], first[c]);
-      high[c] = (std::max)(high[c], last[c]);
-    }
-  }
-  double diagonal() const { return distance_between(low, high); }
-  /// distance of the boxes of two
-  double gap(const Cluster& other) const
-  {
-    Coordinates between;
-    for (int c = 0; c < 3; ++c)
-      between[c] = (std::max)({0., other.low[c] - high[c], low[c] - other.high[c]});
-    return std::hypot(between[0], between[1], between[2]);
-  }
 };
+
+inline double diagonal(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+/// returns the distance of two boxes.
+inline double gap(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b)
+{
+  Coordinates between;
+  for (int c = 0; c < 3; ++c)
+    between[c] = (std::max)({0., a.min(c) - b.max(c), b.min(c) - a.max(c)});
+  return length(between);
+}
 
 /// The clusters of points by a grid about the bulk.
 struct Clusters
@@ -158,9 +150,10 @@ inline Clusters cluster_points(const std::vector<Coordinates>& positions, const 
   {
     result.of_point[i] = sets.find(result.of_point[i]);
     Cluster& cluster = result.clusters[result.of_point[i]];
+    const Coordinates& p = positions[i];
     ++cluster.size;
-    cluster.widen(positions[i], positions[i]);
-    cluster.nearest = (std::min)(cluster.nearest, distance_between(positions[i], bulk.center));
+    cluster.box += CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+    cluster.nearest = (std::min)(cluster.nearest, length(p - bulk.center));
   }
   return result;
 }
@@ -183,28 +176,28 @@ inline std::vector<Point_role> roles_of_positions(const std::vector<Coordinates>
     return c.size >= fewest &&
            static_cast<double>(c.size) >= large * static_cast<double>(positions.size());
   };
-  Cluster shape;
+  CGAL::Bbox_3 shape;
   for (Cluster& c : found.clusters)
   {
     if (c.size == 0 || c.nearest > bulk.size) continue;
     c.is_of_shape = true;
-    shape.widen(c.low, c.high);
+    shape += c.box;
   }
   for (bool has_grown = true; has_grown;)
   {
     has_grown = false;
     for (Cluster& c : found.clusters)
     {
-      if (c.is_of_shape || !is_large(c) || c.gap(shape) > near * shape.diagonal()) continue;
+      if (c.is_of_shape || !is_large(c) || gap(c.box, shape) > near * diagonal(shape)) continue;
       c.is_of_shape = has_grown = true;
-      shape.widen(c.low, c.high);
+      shape += c.box;
     }
   }
   const auto role_of = [&](const Cluster& c)
   {
-    const double gap = c.gap(shape), diagonal = shape.diagonal();
-    if (c.is_of_shape || gap <= touching * diagonal) return Point_role::SHAPE;
-    return is_large(c) && gap < out_of_sight * diagonal ? Point_role::FAR : Point_role::STRAY;
+    const double distance = gap(c.box, shape) / diagonal(shape);
+    if (c.is_of_shape || distance <= touching) return Point_role::SHAPE;
+    return is_large(c) && distance < out_of_sight ? Point_role::FAR : Point_role::STRAY;
   };
   std::vector<Point_role> roles;
   for (const Index c : found.of_point) roles.push_back(role_of(found.clusters[c]));

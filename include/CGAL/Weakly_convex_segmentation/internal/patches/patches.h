@@ -177,7 +177,7 @@ supervoxel_pieces(const Oriented_points& positions, const Supervoxels& supervoxe
   for (const Index s : supervoxels.of_point) ++points[sets.find(s)];
   for (const Convexity_graph::Edge& e : edges)
     graphs[sets.find(e.first)].edges.push_back({local[e.first], local[e.second], e.weight});
-  const double all = static_cast<double>(near_points(positions).size());
+  const double all = static_cast<double>(number_of_near_points(positions));
   for (Index r = 0; r < supervoxels.count; ++r)
   {
     const double wanted = static_cast<double>(number_of_patches) * static_cast<double>(points[r]);
@@ -293,7 +293,7 @@ inline std::vector<Patches> extract_patch_sets(const Oriented_points& points,
 {
   // what is far away has supervoxels of its own besides
   const std::size_t supervoxel_count =
-      parameters.number_of_supervoxels * points.size() / near_points(points).size();
+      parameters.number_of_supervoxels * points.size() / number_of_near_points(points);
   const Supervoxels supervoxels =
       build_supervoxels(points, graph, supervoxel_count, parameters.patch_concavity_tolerance);
   const std::vector<Supervoxel_piece> pieces =

@@ -255,7 +255,7 @@ inline Representatives thin_points(const Oriented_points& points, const std::siz
 inline Representatives downsample(const Oriented_points& points, const std::size_t count,
                                   const bool parallel = false, const bool despite_noise = false)
 {
-  if (near_points(points).size() > count + count / 4)
+  if (number_of_near_points(points) > count + count / 4)
     return thin_points(points, count, parallel, despite_noise);
   Representatives all;
   all.points = points;

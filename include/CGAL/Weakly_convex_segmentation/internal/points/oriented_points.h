@@ -87,6 +87,12 @@ struct Oriented_points
   Index solid(const std::size_t i) const { return solids.empty() ? 0 : solids[i]; }
 };
 
+inline std::size_t number_of_near_points(const Oriented_points& points)
+{
+  return points.size() -
+         static_cast<std::size_t>(std::count(points.is_far.begin(), points.is_far.end(), char(1)));
+}
+
 /// returns the points that are of the shape itself, ascending.
 inline std::vector<Index> near_points(const Oriented_points& points)
 {
@@ -238,6 +244,29 @@ inline std::vector<Coordinates> near_positions(const Raw_shape& raw)
   return result;
 }
 
+/// fills what is known of the points besides where they are, in their order.
+inline void take_along(const Raw_shape& raw, const std::vector<Index>& order,
+                       Oriented_points& points)
+{
+  if (!raw.links.empty())
+  {
+    std::vector<Index> rank(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<Index>(i);
+    points.links = renamed_links(raw.links, rank);
+  }
+  if (!raw.is_far.empty())
+    for (const Index i : order) points.is_far.push_back(raw.is_far[i]);
+  if (!raw.solids.empty())
+    for (const Index i : order) points.solids.push_back(raw.solids[i]);
+  points.elements = order;
+  points.number_of_elements = order.size();
+  if (!raw.element_of.empty())
+  {
+    for (Index& element : points.elements) element = raw.element_of[element];
+    points.number_of_elements = raw.number_of_elements;
+  }
+}
+
 /// brings the input into the frame of the method.
 ///
 /// The extent is measured from the centroid: unlike a bounding box it does not change under
@@ -285,16 +314,6 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
                                static_cast<float>(v[2] / l)};
       },
       4096);
-  if (!raw.links.empty())
-  {
-    std::vector<Index> rank(n);
-    for (std::size_t i = 0; i < n; ++i) rank[order[i]] = static_cast<Index>(i);
-    points.links = renamed_links(raw.links, rank);
-  }
-  if (!raw.is_far.empty())
-    for (const Index i : order) points.is_far.push_back(raw.is_far[i]);
-  if (!raw.solids.empty())
-    for (const Index i : order) points.solids.push_back(raw.solids[i]);
   points.placement = {
       frame,
       {cube.corner[0] + centroid[0], cube.corner[1] + centroid[1], cube.corner[2] + centroid[2]},
@@ -302,13 +321,7 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
       raw.exponent};
   points.extent = std::ldexp(points.extent, raw.exponent);
   if (!std::isfinite(points.extent)) refuse_extent();
-  points.elements = order;
-  points.number_of_elements = n;
-  if (!raw.element_of.empty())
-  {
-    for (Index& element : points.elements) element = raw.element_of[element];
-    points.number_of_elements = raw.number_of_elements;
-  }
+  take_along(raw, order, points);
   return points;
 }
 
