@@ -31,10 +31,22 @@ struct Files
   std::string input, parts, stats;
 };
 
+// A negative number is no option.
+std::vector<po::option> read_negative_number(std::vector<std::string>& arguments)
+{
+  const std::string first = arguments.front();
+  if (first.size() < 2 || first[0] != '-' || first.find_first_of(".0123456789") != 1) return {};
+  po::option number;
+  number.value = {first};
+  number.original_tokens = {first};
+  arguments.erase(arguments.begin());
+  return {number};
+}
+
 // returns whether there is something to do.
 bool read_options(const int argc, char** argv, Files& files, Scene_objects::Options& options)
 {
-  std::vector<double> viewpoint;
+  std::vector<double> viewpoint, plane;
   std::string preset;
   po::options_description visible("segment_scene SCENE.ply [options]\n"
                                   "finds the objects on a table, and their parts\nOptions");
@@ -42,7 +54,11 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
       "output,o", po::value(&files.parts), "colored scene (PLY)")("stats", po::value(&files.stats),
                                                                   "numbers of the objects (JSON)")(
       "viewpoint", po::value(&viewpoint)->multitoken(), "x y z of the sensor, 0 0 0 by default")(
-      "cell", po::value(&options.cell)->default_value(options.cell), "thinning, in scene units")(
+      "plane", po::value(&plane)->multitoken(),
+      "a b c d: the plane a x + b y + c z + d = 0 that the objects stand on, by default that with "
+      "the "
+      "most on it")("cell", po::value(&options.cell)->default_value(options.cell),
+                    "thinning, in scene units")(
       "plane-distance", po::value(&options.plane_distance)->default_value(options.plane_distance),
       "half thickness of the plane")("gap", po::value(&options.gap)->default_value(options.gap),
                                      "distance that separates objects")(
@@ -56,6 +72,7 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
                 .options(all)
                 .positional(positional)
                 .style(po::command_line_style::unix_style)
+                .extra_style_parser(read_negative_number)
                 .run(),
             map);
   if (map.count("help") > 0)
@@ -68,6 +85,13 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
       Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters::preset(preset));
   if (!(options.cell > 0. && options.plane_distance > 0. && options.gap > 0.))
     throw std::invalid_argument("--cell, --plane-distance and --gap have to be above 0");
+  if (!plane.empty())
+  {
+    if (plane.size() != 4 || (plane[0] == 0. && plane[1] == 0. && plane[2] == 0.))
+      throw std::invalid_argument(
+          "--plane takes four numbers, of which the first three are a normal");
+    options.plane = Scene_objects::Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]);
+  }
   if (!viewpoint.empty() && viewpoint.size() != 3)
     throw std::invalid_argument("--viewpoint takes three numbers");
   if (viewpoint.size() == 3)
@@ -143,8 +167,10 @@ void segment_scene(const Files& files, const Scene_objects::Options& options)
   if (parts) parts->finish();
   if (stats) stats->finish();
   interruption.check();
+  const auto& plane = scene.plane;
   std::cout << scene.parts_of.size() << " objects of " << scene.number_of_parts << " parts in "
-            << seconds << " seconds\n";
+            << seconds << " seconds, on the plane " << plane.a() << ' ' << plane.b() << ' '
+            << plane.c() << ' ' << plane.d() << '\n';
   // all or none: nothing takes its place before all is written
   Program_errors::flush_standard_output();
   if (parts) parts->commit();

@@ -51,12 +51,11 @@ int main(int argc, char* argv[])
       points, polygons, CGAL::parameters::visitor(std::ref(printer)));
   std::cout << result.number_of_segments() << " segments\n";
 
-  // From few large parts to many small ones. The borders are those of the patches.
+  // From few large parts to many small ones. The borders of more than there are here are those of the patches.
   for (const std::size_t wanted : {2, 4, 8})
   {
-    const std::vector<int> segment_of_patch = result.merge_tree.labels_for(wanted);
     std::vector<std::size_t> sizes(wanted);
-    for (const int patch : result.patches) ++sizes[segment_of_patch[patch]];
+    for (const int label : result.labels_for(wanted)) ++sizes[label];
     std::cout << "the largest of " << wanted << " has "
               << *std::max_element(sizes.begin(), sizes.end()) << " faces\n";
   }

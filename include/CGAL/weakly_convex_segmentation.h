@@ -57,6 +57,12 @@ namespace CGAL {
 ///     \cgalParamType{an integer, at least 0}
 ///     \cgalParamDefault{that of `segmentation_parameters`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_number_of_segments}
+///     \cgalParamDescription{takes the place of `Parameters::minimum_number_of_segments`: with the maximum, the
+///       number that is wanted}
+///     \cgalParamType{an integer, at least 0}
+///     \cgalParamDefault{that of `segmentation_parameters`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_segment_share}
 ///     \cgalParamDescription{takes the place of `Parameters::minimum_segment_share`}
 ///     \cgalParamType{`double`, in `[0, 1]`}
@@ -191,8 +197,8 @@ weakly_convex_segmentation(const Input& input, LabelMap label_map,
 /// \param points the corners of the polygons; points that none names are allowed,
 ///   but have to be finite, too
 /// \param polygons indices from 0, at least 3 each; neither they nor the points are changed
-/// \param np `segmentation_parameters`, `maximum_number_of_segments`, `minimum_segment_share`,
-///   `line_of_sight`, `patch_clustering`, `merge_cost`, `point_map`, `geom_traits`, `callback`, `visitor` and
+/// \param np `segmentation_parameters`, `maximum_number_of_segments`, `minimum_number_of_segments`,
+///   `minimum_segment_share`, `line_of_sight`, `patch_clustering`, `merge_cost`, `point_map`, `geom_traits`, `callback`, `visitor` and
 ///   `random_seed` of `weakly_convex_segmentation()`
 ///
 /// \returns a result with one label a polygon, in the order of `polygons`

@@ -269,6 +269,43 @@ BOOST_AUTO_TEST_CASE(inward_normals_of_closed_clouds_are_turned)
   BOOST_CHECK(!Compiled_core::segment_points(bowl, {}, {}).has_flipped_normals);
 }
 
+BOOST_AUTO_TEST_CASE(normals_that_contradict_each_other_are_turned)
+{
+  for (const char* name : {"hand", "dumbbell", "chair"})
+  {
+    const Raw_shape raw = cloud(name, 4000);
+    const Result usual = Compiled_core::segment_points(raw, {}, {});
+    BOOST_CHECK(!usual.has_flipped_normals);
+    std::mt19937 random(1);
+    Raw_shape half = raw, some = raw, scan;
+    for (std::size_t i = 0; i < raw.positions.size(); ++i)
+    {
+      const Coordinates n = raw.normals[i];
+      if (raw.positions[i][0] < 0.1) half.normals[i] = {-n[0], -n[1], -n[2]};
+      if (random() % 3 == 0) some.normals[i] = {-n[0], -n[1], -n[2]};
+      if (n[2] > -0.2) add_point(scan, raw.positions[i], n);
+    }
+    for (const Raw_shape& turned : {half, some})
+    {
+      const Result result = Compiled_core::segment_points(turned, {}, {});
+      BOOST_CHECK(result.has_flipped_normals);
+      BOOST_CHECK(!result.has_doubtful_normals);
+      BOOST_CHECK_LT(rand_distance(result.labels, usual.labels), 0.01);
+    }
+    BOOST_CHECK(!Compiled_core::segment_points(scan, {}, {}).has_flipped_normals);
+  }
+  Raw_shape bowl; // too open to tell
+  add_sphere(bowl, {0., 0., 0.}, 1., 2000);
+  bowl.positions.resize(1000);
+  bowl.normals.resize(1000);
+  BOOST_CHECK(!Compiled_core::segment_points(bowl, {}, {}).has_doubtful_normals);
+  for (std::size_t i = 0; i < 1000; i += 2)
+    bowl.normals[i] = {-bowl.normals[i][0], -bowl.normals[i][1], -bowl.normals[i][2]};
+  const Result result = Compiled_core::segment_points(bowl, {}, {});
+  BOOST_CHECK(result.has_doubtful_normals);
+  BOOST_CHECK(!result.has_flipped_normals);
+}
+
 BOOST_AUTO_TEST_CASE(estimated_normals_of_all_pieces_point_outwards)
 {
   Raw_shape balls;
@@ -282,6 +319,29 @@ BOOST_AUTO_TEST_CASE(estimated_normals_of_all_pieces_point_outwards)
     double product = 0.;
     for (std::size_t c = 0; c < 3; ++c) product += balls.normals[i][c] * bare.normals[i][c];
     BOOST_REQUIRE_GT(product, 0.5);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(thin_plates_without_normals_are_one_part)
+{
+  for (const double thickness : {0.1, 0.05, 0.03, 0.02, 0.015, 0.01, 0.006}) // .4 to 7 spacings
+  {
+    std::mt19937 random(1);
+    const double wide = 0.6, edge = 1.6 * thickness, area = wide + edge; // of one of each two sides
+    Raw_shape plate;
+    for (int i = 0; i < 5000; ++i)
+    {
+      const double x = uniform(random), y = wide * uniform(random), z = thickness * uniform(random);
+      const double end = random() % 2 == 0 ? 1. : 0., side = area * uniform(random);
+      if (side < wide)
+        plate.positions.push_back({x, y, end * thickness});
+      else if (side < wide + thickness)
+        plate.positions.push_back({x, end * wide, z});
+      else
+        plate.positions.push_back({end, y, z});
+    }
+    BOOST_TEST_CONTEXT("thickness " << thickness)
+    BOOST_CHECK_EQUAL(Compiled_core::segment_points(plate, {}, {}).number_of_segments(), 1u);
   }
 }
 

@@ -237,11 +237,30 @@ BOOST_AUTO_TEST_CASE(the_normal_and_roughness_of_five_points_are_known)
                         at(0.5, 0.5, 0.5)};
     points.normals.resize(5);
     Unoriented_points shape{points, std::vector<float>(5, -1.f), {1, 2, 3, 4}, 4};
-    fit_plane(shape, 0);
+    fit_plane(shape, Kd_tree(points.positions), 0);
     BOOST_CHECK_SMALL(points.normals[0].x, 1e-5f);
     BOOST_CHECK_SMALL(points.normals[0].y, 1e-5f);
     BOOST_CHECK_CLOSE(std::abs(points.normals[0].z), 1.f, 1e-4f);
     BOOST_CHECK_CLOSE(shape.roughness[0], 0.05f - 0.01f, 1e-3f); // mean square less squared mean
+  }
+}
+
+BOOST_AUTO_TEST_CASE(both_sides_of_a_thin_wall_look_outwards)
+{
+  constexpr std::size_t size = 6000;
+  const double spacing =
+      std::sqrt(2. / static_cast<double>(size));     // of a plate of 1 x 1 with two sides
+  for (const double thickness : {0.7, 1., 1.5, 2.5}) // in spacings
+  {
+    std::mt19937 random(3);
+    Raw_shape plate;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const double x = uniform(random), y = uniform(random);
+      const bool is_above = random() % 2 == 0;
+      add_point(plate, {x, y, is_above ? thickness * spacing : 0.}, {0., 0., is_above ? 1. : -1.});
+    }
+    BOOST_CHECK_GT(share_of_right(plate), 0.93);
   }
 }
 

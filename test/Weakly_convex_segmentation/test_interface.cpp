@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(another_granularity_without_running_again)
     BOOST_CHECK_EQUAL(cut.number_of_segments(), wanted);
     for (std::size_t i = 0; i < cut.labels.size(); ++i) // whole patches
       BOOST_REQUIRE_EQUAL(cut.patches[i], result.patches[i]);
-    BOOST_CHECK_LE(
+    BOOST_CHECK_EQUAL(
         segmenter.refine(result, tree.labels_for(wanted), Parameters()).number_of_segments(),
         wanted);
   }
@@ -302,6 +302,42 @@ BOOST_AUTO_TEST_CASE(another_granularity_without_running_again)
   Parameters wide;
   wide.band_width = 2.;
   BOOST_CHECK_THROW(segmenter.refine(result, tree.labels_for(2), wide), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(labels_for_a_number_of_segments)
+{
+  const Result result = CGAL::weakly_convex_segmentation(surface_mesh(dumbbell()), nowhere());
+  const auto number = [](const std::vector<int>& labels)
+  { return std::set<int>(labels.begin(), labels.end()).size(); };
+  const auto pairs = [](const std::vector<int>& fine, const std::vector<int>& coarse)
+  {
+    std::set<std::pair<int, int>> both;
+    for (std::size_t i = 0; i < fine.size(); ++i) both.insert({fine[i], coarse[i]});
+    return both.size();
+  };
+  BOOST_REQUIRE_GT(result.number_of_segments(), 2u);
+  BOOST_CHECK(result.labels_for(result.number_of_segments()) == result.labels);
+  for (std::size_t wanted = 1; wanted < 20; ++wanted)
+  {
+    const std::vector<int> labels = result.labels_for(wanted);
+    BOOST_REQUIRE_EQUAL(labels.size(), result.labels.size());
+    BOOST_CHECK_EQUAL(number(labels), wanted);
+    BOOST_CHECK_EQUAL(*std::max_element(labels.begin(), labels.end()) + 1u, wanted);
+    // of whole segments, or of whole patches
+    const bool is_coarse = wanted <= result.number_of_segments();
+    BOOST_CHECK_EQUAL(pairs(is_coarse ? result.labels : result.patches, labels),
+                      is_coarse ? result.number_of_segments() : number(result.patches));
+  }
+  Mesh mesh = surface_mesh(dumbbell());
+  const auto map = mesh.add_property_map<Mesh::Face_index, int>("f:two", -1).first;
+  WCS::write_labels(mesh, result.labels_for(2), map);
+  const std::vector<int> two = result.labels_for(2);
+  std::size_t f = 0;
+  for (const auto face : mesh.faces()) BOOST_REQUIRE_EQUAL(map[face], two[f++]);
+  BOOST_CHECK_THROW(WCS::write_labels(mesh, {0, 1}, map), std::invalid_argument);
+  BOOST_CHECK_THROW(result.labels_for(0), std::invalid_argument);
+  BOOST_CHECK_THROW(result.labels_for(result.merge_tree.number_of_patches() + 1),
+                    std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(labels_at_the_three_levels)

@@ -134,6 +134,7 @@ BOOST_AUTO_TEST_CASE(names_in_any_order)
   Parameters expected = coarse();
   expected.seed = 3;
   expected.maximum_number_of_segments = 4;
+  expected.minimum_number_of_segments = 2;
   expected.minimum_segment_share = 0.02;
   const Result result = segment(expected);
   std::size_t calls = 0;
@@ -145,12 +146,14 @@ BOOST_AUTO_TEST_CASE(names_in_any_order)
   BOOST_CHECK(equal(result, segment(NP::segmentation_parameters(coarse())
                                         .random_seed(3)
                                         .maximum_number_of_segments(4)
+                                        .minimum_number_of_segments(2)
                                         .callback(count)
                                         .minimum_segment_share(0.02))));
   BOOST_CHECK_GT(calls, 0u);
   calls = 0;
   WCS::Visitor visitor;
   BOOST_CHECK(equal(result, segment(NP::maximum_number_of_segments(4u)
+                                        .minimum_number_of_segments(2u)
                                         .minimum_segment_share(0.02f)
                                         .visitor(std::ref(visitor))
                                         .callback(count)

@@ -74,6 +74,7 @@ std::vector<Setting> settings()
           {"seed", "default", "dumbbell", 9.},
           {"face_sampling_factor", "default", "long triangles", 0.},
           {"flip_inward_normals", "default", "inward dumbbell", 0.},
+          {"pieces", "default", "two dumbbells", 0.},
           {"number_of_patches", "default", "dumbbell", 40.},
           {"number_of_patch_sets", "default", "hand", 1.},
           {"number_of_supervoxels", "default", "dumbbell", 400.},
@@ -157,6 +158,22 @@ const Raw_shape& shape(const std::string& name)
         name == "rings"
             ? rings(4., [](const double) { return 0.8; })
             : faces_of_mesh(shaken(Shape_generator::make_mesh("dumbbell", 3000), 0.03, 1));
+    return slot->second;
+  }
+  if (name == "two dumbbells") // that penetrate each other
+  {
+    auto two = Shape_generator::make_mesh("dumbbell", 3000);
+    const std::size_t points = two.points.size(), faces = two.faces.size();
+    for (std::size_t i = 0; i < points; ++i)
+      two.points.push_back({two.points[i][0], two.points[i][1] + 0.3, two.points[i][2]});
+    for (std::size_t f = 0; f < faces; ++f)
+    {
+      auto face = two.faces[f];
+      for (auto& v : face) v += points;
+      two.faces.push_back(face);
+      two.labels.push_back(two.labels[f]);
+    }
+    slot->second = faces_of_mesh(two);
     return slot->second;
   }
   const bool is_stretched = name == "stretched dumbbell"; // neighbors across long edges are far

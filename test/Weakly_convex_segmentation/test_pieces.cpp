@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -268,7 +269,7 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_are_a_part_each)
 
 BOOST_AUTO_TEST_CASE(no_part_goes_from_one_solid_into_another)
 {
-  for (const Parameters& parameters : {Parameters(), Parameters::paper()})
+  for (const Parameters& parameters : {Parameters(), Parameters::training_free()})
   {
     Soup soup;
     add_mesh(soup, Shape_generator::make_mesh("figure", 3000));
@@ -280,7 +281,148 @@ BOOST_AUTO_TEST_CASE(no_part_goes_from_one_solid_into_another)
   }
 }
 
-BOOST_AUTO_TEST_CASE(solids_are_closed_and_no_cavities_or_crumbs)
+BOOST_AUTO_TEST_CASE(boxes_that_share_edges_and_faces_are_a_part_each)
+{
+  Soup own; // vertices; the walls between the cubes are there twice
+  for (int i = 0; i < 27; ++i)
+    add_box(own, Point(2. * (i % 3), 2. * (i / 3 % 3), 2. * (i / 9)), Vector(1., 1., 1.));
+  BOOST_CHECK_EQUAL(rand_distance(labels_of(own), own.pieces), 0.);
+  Soup loose = own, shared = own;
+  loose.points.clear();
+  shared.points.clear();
+  std::map<Point, std::size_t> number;
+  for (std::size_t f = 0; f < own.faces.size(); ++f)
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Point& p = own.points[own.faces[f][c]];
+      loose.faces[f][c] = loose.points.size();
+      loose.points.push_back(p);
+      const auto [vertex, is_new] = number.emplace(p, shared.points.size());
+      if (is_new) shared.points.push_back(p);
+      shared.faces[f][c] = vertex->second;
+    }
+  BOOST_CHECK_EQUAL(rand_distance(labels_of(loose), own.pieces), 0.);
+  BOOST_CHECK_EQUAL(rand_distance(labels_of(shared), own.pieces), 0.);
+}
+
+BOOST_AUTO_TEST_CASE(open_boxes_are_a_part_each)
+{
+  for (const double gap : {0.05, 0.})
+  {
+    Soup boards; // of a shelf: without the side that is not seen
+    for (int i = 0; i < 5; ++i) add_box(boards, Point(0., 0., (1. + gap) * i), Vector(3., 2., 0.1));
+    for (const double x : {-3.1 - gap, 3.1 + gap})
+      add_box(boards, Point(x, 0., 2.), Vector(0.1, 2., 2.5));
+    Soup open = boards;
+    open.faces.clear();
+    open.pieces.clear();
+    for (std::size_t f = 0; f < boards.faces.size(); ++f)
+      if (f % 12 != 4 && f % 12 != 5)
+      {
+        open.faces.push_back(boards.faces[f]);
+        open.pieces.push_back(boards.pieces[f]);
+      }
+    BOOST_CHECK_EQUAL(rand_distance(labels_of(open), open.pieces), 0.);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(torn_pieces_are_one_object)
+{
+  Soup whole;
+  add_mesh(whole, Shape_generator::make_mesh("dumbbell", 3000));
+  const auto torn = [&whole](const double low, const double high)
+  {
+    Soup soup = whole;
+    soup.faces.clear();
+    for (const auto& f : whole.faces)
+    {
+      const double x =
+          (whole.points[f[0]].x() + whole.points[f[1]].x() + whole.points[f[2]].x()) / 3.;
+      if (x < low || x > high) soup.faces.push_back(f);
+    }
+    return soup;
+  };
+  const auto x = [](const Point& a, const Point& b) { return a.x() < b.x(); };
+  const auto [first, last] = std::minmax_element(whole.points.begin(), whole.points.end(), x);
+  const double middle = 0.5 * (first->x() + last->x()), length = last->x() - first->x();
+  for (const double width : {0.02, 0.1})
+    BOOST_CHECK(
+        solids_of(torn(middle - width * length / 2., middle + width * length / 2.)).empty());
+  // what is far apart are two objects
+  BOOST_CHECK(!solids_of(torn(first->x() + 0.1 * length, last->x() - 0.1 * length)).empty());
+}
+
+BOOST_AUTO_TEST_CASE(pieces_are_joined_separate_or_whole)
+{
+  Soup soup; // a bar through a ball, and a dumbbell
+  add_mesh(soup, Shape_generator::make_mesh("sphere", 1000));
+  add_mesh(soup, Shape_generator::make_mesh("sphere", 1000), 1., Vector(0.2, 0., 0.));
+  add_mesh(soup, Shape_generator::make_mesh("dumbbell", 2000), 1., Vector(6., 0., 0.));
+  const auto parts_of = [&soup](const std::vector<int>& labels)
+  {
+    std::map<int, std::set<int>> parts;
+    for (std::size_t f = 0; f < labels.size(); ++f) parts[soup.pieces[f]].insert(labels[f]);
+    return parts;
+  };
+  Parameters parameters;
+  auto parts = parts_of(labels_of(soup, parameters));
+  BOOST_CHECK_EQUAL(parts[0].size(), 1u);
+  BOOST_CHECK(parts[0] != parts[1]);
+  BOOST_CHECK_EQUAL(parts[2].size(), 3u);
+  parameters.pieces = WCS::Piece_rule::WHOLE;
+  BOOST_CHECK_EQUAL(rand_distance(labels_of(soup, parameters), soup.pieces), 0.);
+  parameters.pieces = WCS::Piece_rule::JOINED;
+  parts = parts_of(labels_of(soup, parameters));
+  BOOST_CHECK(parts[0] == parts[1]);
+  BOOST_CHECK_EQUAL(parts[2].size(), 3u);
+}
+
+BOOST_AUTO_TEST_CASE(a_coarse_mesh_is_cut_as_its_fine_version)
+{
+  for (const int k : {1, 2, 5}) // faces of a cube are of k x k squares
+  {
+    const std::set<std::array<int, 3>> cubes = {
+        {0, 0, 4}, {0, 0, 3}, {0, 0, 2}, {0, 0, 1}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0},
+        {3, 0, 0}, {4, 0, 0}, {4, 0, 1}, {4, 0, 2}, {4, 0, 3}, {4, 0, 4}};
+    Soup soup;
+    std::vector<int>
+        arm; // 0 and 1 for the ends of the arms of the U, 2 for its middle, -1 elsewhere
+    for (const auto& cube : cubes)
+      for (std::size_t side = 0; side < 6; ++side)
+      {
+        const std::size_t axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+        auto beyond = cube;
+        beyond[axis] += side % 2 == 0 ? -1 : 1;
+        if (cubes.count(beyond) != 0) continue;
+        for (int i = 0; i < k * k; ++i)
+        {
+          std::array<std::size_t, 4> corners;
+          for (std::size_t c = 0; c < 4; ++c)
+          {
+            std::array<double, 3> p = {1. * cube[0], 1. * cube[1], 1. * cube[2]};
+            p[axis] += side % 2 == 0 ? 0. : 1.;
+            p[u] += (i % k + (c == 1 || c == 2 ? 1. : 0.)) / k;
+            p[v] += (i / k + (c >= 2 ? 1. : 0.)) / k;
+            corners[side % 2 == 0 ? 3 - c : c] = soup.points.size();
+            soup.points.emplace_back(p[0], p[1], p[2]);
+          }
+          soup.faces.push_back({corners[0], corners[1], corners[2]});
+          soup.faces.push_back({corners[0], corners[2], corners[3]});
+          const int part = cube[2] > 1                  ? (cube[0] == 0 ? 0 : 1)
+                           : cube[0] > 1 && cube[0] < 3 ? 2
+                                                        : -1;
+          arm.insert(arm.end(), 2, part);
+        }
+      }
+    std::map<int, std::set<int>> labels_of_arm;
+    const std::vector<int> labels = labels_of(soup);
+    for (std::size_t f = 0; f < labels.size(); ++f) labels_of_arm[arm[f]].insert(labels[f]);
+    BOOST_CHECK_EQUAL(std::set<int>(labels.begin(), labels.end()).size(), 3u);
+    for (const int a : {0, 1, 2}) BOOST_CHECK_EQUAL(labels_of_arm[a].size(), 1u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(solids_are_no_cavities_or_crumbs)
 {
   Soup soup;
   add_box(soup, Point(0., 0., 0.), Vector(1., 1., 1.));
@@ -296,7 +438,7 @@ BOOST_AUTO_TEST_CASE(solids_are_closed_and_no_cavities_or_crumbs)
   for (std::size_t f = 0; f < solids.size(); ++f)
   {
     const int piece = soup.pieces[f];
-    BOOST_CHECK_EQUAL(solids[f] != 0, piece == 0 || piece == 2);
+    BOOST_CHECK_EQUAL(solids[f] != 0, piece == 0 || piece == 2 || piece == 4);
     if (piece == 2) BOOST_CHECK_NE(solids[f], solids[0]);
   }
 }

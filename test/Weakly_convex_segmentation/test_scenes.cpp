@@ -26,9 +26,10 @@ constexpr int width = 200, height = 150;
 // Whether nothing is measured in a pixel: a column in 17.
 bool is_gap(const int x) { return x % 17 == 0; }
 
-// A ball over a table before a camera at the origin, pixel after pixel.
-std::string ball_on_table(const std::string& gap)
+// A ball over a table before a camera at the origin, pixel after pixel; a wall behind it, of twice its size.
+std::string ball_on_table(const std::string& gap, const bool has_wall = false)
 {
+  constexpr double wall = 0.86, half_table = 0.25;
   const auto table = [](const double, const double v) { return 0.6 / (0.7 * v + 0.714); };
   const auto ball = [](const double u, const double v)
   {
@@ -42,7 +43,8 @@ std::string ball_on_table(const std::string& gap)
     for (int x = 0; x < width; ++x)
     {
       const double u = (x - 0.5 * width) / 190., v = (y - 0.5 * height) / 190.;
-      const double z = (std::min)(table(u, v), ball(u, v));
+      double z = (std::min)(table(u, v), ball(u, v));
+      if (has_wall && (z > wall || std::abs(u * z) > half_table)) z = wall;
       if (is_gap(x))
         out << gap << '\n';
       else
@@ -76,6 +78,39 @@ BOOST_AUTO_TEST_CASE(pixels_without_a_measurement_keep_their_place)
     BOOST_TEST(label->values[height / 2 * width + width / 2] == 1.); // the ball
     BOOST_TEST(label->values[width - 1] == 0.);                      // the table
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_plane_is_that_with_the_most_on_it_or_given)
+{
+  const Scratch_folder folder;
+  folder.write("scene.pcd", ball_on_table("nan nan nan", true));
+  const std::vector<std::string> usual = {"scene.pcd", "-o", "parts.ply"};
+  for (const std::vector<std::string>& plane :
+       {std::vector<std::string>(), {"--plane", "0", "0.7", "0.714", "-0.6"}})
+  {
+    std::vector<std::string> arguments = usual;
+    arguments.insert(arguments.end(), plane.begin(), plane.end());
+    const Outcome outcome = run(folder, "segment_scene", arguments);
+    BOOST_TEST(outcome.err == "");
+    BOOST_TEST_REQUIRE(outcome.exit_code == 0);
+    BOOST_TEST(outcome.out.find("1 objects of ") == 0u);
+    BOOST_TEST(outcome.out.find("on the plane ") != std::string::npos);
+    const Shape_io::Shape parts =
+        Shape_io::read_shape(folder.file("parts.ply"), Shape_io::Gaps::ALLOWED);
+    const auto label = std::find_if(parts.point_properties.begin(), parts.point_properties.end(),
+                                    [](const Shape_io::Property& p) { return p.name == "label"; });
+    BOOST_TEST_REQUIRE((label != parts.point_properties.end()));
+    BOOST_TEST(label->values[height / 2 * width + width / 2] == 1.);   // the ball
+    BOOST_TEST(label->values[width / 2] == 0.);                        // the wall
+    BOOST_TEST(label->values[(height - 1) * width + width / 2] == 0.); // the table
+  }
+  std::vector<std::string> wrong = usual;
+  wrong.insert(wrong.end(), {"--plane", "0", "1", "0", "-7"});
+  const Outcome nothing = run(folder, "segment_scene", wrong);
+  BOOST_TEST(nothing.exit_code == 1);
+  BOOST_TEST(nothing.err.find("nothing stands on the plane that was given") != std::string::npos);
+  wrong.back() = "x";
+  BOOST_TEST(run(folder, "segment_scene", wrong).exit_code == 1);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_scene_is_refused_in_one_line)

@@ -70,6 +70,10 @@ po::options_description described_options(Options& options, Numbers& numbers)
       "how thick the shape is at a face: measured on points, or by CGAL's shape diameter function, "
       "which takes "
       "longer and needs a manifold mesh of triangles (default: own)");
+  add("pieces", po::value(&options.pieces)->value_name("joined|separate|whole"),
+      "whether the connected pieces of a mesh may share a part, are objects of their own, or are "
+      "not "
+      "even cut (default: that of the preset, separate but for paper)");
   add("segments", po::value(&numbers.segments)->value_name("N"),
       "make N segments, if the shape can be cut into so many");
   add("max-segments", po::value(&numbers.max_segments)->value_name("N"),
@@ -160,6 +164,15 @@ void apply(const Numbers& numbers, Options& options)
     options.parameters.diameter = WCS::Diameter_rule::GIVEN;
   else if (options.diameters != "own")
     refuse("--diameters is '" + options.diameters + "', give own or cgal");
+
+  if (options.pieces == "joined")
+    options.parameters.pieces = WCS::Piece_rule::JOINED;
+  else if (options.pieces == "separate")
+    options.parameters.pieces = WCS::Piece_rule::SEPARATE;
+  else if (options.pieces == "whole")
+    options.parameters.pieces = WCS::Piece_rule::WHOLE;
+  else if (!options.pieces.empty())
+    refuse("--pieces is '" + options.pieces + "', give joined, separate or whole");
 
   if (numbers.segments > 0)
     options.parameters.minimum_number_of_segments = static_cast<std::size_t>(numbers.segments);

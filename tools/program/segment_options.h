@@ -28,6 +28,7 @@ struct Options
   std::string preset = "default";
   std::string stage = "segments";
   std::string diameters = "own";
+  std::string pieces; // joined, separate or whole; empty: that of the preset
   WCS::Level level = WCS::Level::SEGMENTS;
   WCS::Parameters parameters;
   std::size_t number_of_threads = 0; // 0: all

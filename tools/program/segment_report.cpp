@@ -69,6 +69,8 @@ void write_stats(std::ostream& out, const Options& options, const Shape_io::Shap
       {"number_of_patches", run.result.merge_tree.number_of_patches()},
       {"number_of_components", run.result.number_of_components},
       {"number_of_segments", run.result.number_of_segments()},
+      {"has_flipped_normals", run.result.has_flipped_normals},
+      {"has_doubtful_normals", run.result.has_doubtful_normals},
       {"segments", internal::json_of_segments(run, shape)}};
   // The name of a file need not be UTF-8, but JSON must be.
   out << stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
@@ -94,6 +96,10 @@ void print_summary(std::ostream& out, const Shape_io::Shape& shape, const Run& r
   }
   if (number_of_lines < run.result.segments.size())
     out << "  and " << run.result.segments.size() - number_of_lines << " more\n";
+  if (run.result.has_flipped_normals)
+    out << "  note: normals that point inwards were turned for the run\n";
+  if (run.result.has_doubtful_normals)
+    out << "  warning: the normals contradict each other; try the points without them\n";
 }
 
 } // namespace Segment_shape

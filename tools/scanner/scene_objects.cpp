@@ -3,8 +3,11 @@
 
 #include "scanner/scene_objects.h"
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Random.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
+#include <CGAL/convex_hull_2.h>
 #include <CGAL/linear_least_squares_fitting_3.h>
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
@@ -15,9 +18,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -96,13 +102,42 @@ void orient_to_sensor(Scene& scene, const Options& options)
     if (cell.second * (options.viewpoint - cell.first) < 0.) cell.second = -cell.second;
 }
 
-// The plane with the most points.
-Kernel::Plane_3 supporting_plane(std::vector<Oriented> cells, const Options& options)
+Kernel::Plane_3 towards_sensor(const Kernel::Plane_3& plane, const Options& options)
 {
+  return plane.has_on_negative_side(options.viewpoint) ? plane.opposite() : plane;
+}
+
+// A plane, and the convex hull in it of what belongs to it.
+struct Support
+{
+  Kernel::Plane_3 plane;
+  std::vector<std::size_t> cells; // that belong to it
+  std::vector<Kernel::Point_2> hull;
+
+  void set_hull(const Scene& scene)
+  {
+    std::vector<Kernel::Point_2> flat;
+    for (const std::size_t i : cells) flat.push_back(plane.to_2d(scene.cells[i].first));
+    CGAL::convex_hull_2(flat.begin(), flat.end(), std::back_inserter(hull));
+  }
+
+  bool is_below(const Point& p) const
+  {
+    return hull.size() < 3 || CGAL::bounded_side_2(hull.begin(), hull.end(), plane.to_2d(p)) !=
+                                  CGAL::ON_UNBOUNDED_SIDE;
+  }
+};
+
+// The planes of at least a twentieth of the cells, the largest first.
+std::vector<Support> large_planes(const Scene& scene, const Options& options)
+{
+  using Numbered = std::tuple<Point, Vector, std::size_t>; // the detection reorders its range
   using Traits =
-      CGAL::Shape_detection::Efficient_RANSAC_traits<Kernel, std::vector<Oriented>,
-                                                     CGAL::First_of_pair_property_map<Oriented>,
-                                                     CGAL::Second_of_pair_property_map<Oriented>>;
+      CGAL::Shape_detection::Efficient_RANSAC_traits<Kernel, std::vector<Numbered>,
+                                                     CGAL::Nth_of_tuple_property_map<0, Numbered>,
+                                                     CGAL::Nth_of_tuple_property_map<1, Numbered>>;
+  std::vector<Numbered> cells;
+  for (const auto& [point, normal] : scene.cells) cells.emplace_back(point, normal, cells.size());
   using Ransac = CGAL::Shape_detection::Efficient_RANSAC<Traits>;
   CGAL::get_default_random() = CGAL::Random(0); // the same plane in every run
   Ransac ransac;
@@ -115,21 +150,26 @@ Kernel::Plane_3 supporting_plane(std::vector<Oriented> cells, const Options& opt
   parameters.normal_threshold = 0.85;
   parameters.probability = 0.01;
   ransac.detect(parameters);
-  std::vector<Point> inliers;
+  std::vector<Support> planes;
   for (const auto& shape : ransac.shapes())
   {
-    if (shape->indices_of_assigned_points().size() <= inliers.size()) continue;
-    inliers.clear();
+    std::vector<Point> inliers;
+    Support support;
     for (const std::size_t i : shape->indices_of_assigned_points())
-      inliers.push_back(cells[i].first);
+    {
+      inliers.push_back(std::get<0>(cells[i]));
+      support.cells.push_back(std::get<2>(cells[i]));
+    }
+    CGAL::linear_least_squares_fitting_3(inliers.begin(), inliers.end(), support.plane,
+                                         CGAL::Dimension_tag<0>());
+    support.plane = towards_sensor(support.plane, options);
+    support.set_hull(scene);
+    planes.push_back(std::move(support));
   }
-  if (inliers.empty())
-    throw std::runtime_error("there is no plane that objects could stand on; segment the cloud as "
-                             "one shape with segment_shape");
-  Kernel::Plane_3 plane;
-  CGAL::linear_least_squares_fitting_3(inliers.begin(), inliers.end(), plane,
-                                       CGAL::Dimension_tag<0>());
-  return plane.has_on_negative_side(options.viewpoint) ? plane.opposite() : plane;
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const Support& a, const Support& b)
+                   { return a.cells.size() > b.cells.size(); });
+  return planes;
 }
 
 double height(const Kernel::Plane_3& plane, const Point& p)
@@ -138,14 +178,15 @@ double height(const Kernel::Plane_3& plane, const Point& p)
   return (p - plane.point()) * n / std::sqrt(n.squared_length());
 }
 
-// Pieces of what stands on the plane; a gap without points parts two of them.
-std::vector<std::vector<std::size_t>> separated_pieces(const Scene& scene, const Options& options)
+// Pieces of what is above the plane; a gap without points parts two of them.
+std::vector<std::vector<std::size_t>>
+separated_pieces(const Scene& scene, const Kernel::Plane_3& plane, const Options& options)
 {
   std::unordered_map<Cell, std::vector<std::size_t>, Cell_hash> grid;
   std::vector<char> waits(scene.cells.size(), 0);
   for (std::size_t i = 0; i < scene.cells.size(); ++i)
   {
-    const double h = height(scene.plane, scene.cells[i].first);
+    const double h = height(plane, scene.cells[i].first);
     if (h < options.plane_distance || h > options.highest) continue;
     waits[i] = 1;
     grid[cell_at(scene.cells[i].first, options.gap)].push_back(i);
@@ -179,6 +220,116 @@ std::vector<std::vector<std::size_t>> separated_pieces(const Scene& scene, const
   return pieces;
 }
 
+using Pieces = std::vector<std::vector<std::size_t>>;
+
+// The share of the cells of a piece that are over a plane as far as it is seen.
+double share_over(const Scene& scene, const Support& support, const std::vector<std::size_t>& piece)
+{
+  const auto over =
+      std::count_if(piece.begin(), piece.end(),
+                    [&](const std::size_t i) { return support.is_below(scene.cells[i].first); });
+  return static_cast<double>(over) / static_cast<double>(piece.size());
+}
+
+// Whether a piece begins near a plane, and is no wider than objects are high.
+bool stands_on(const Scene& scene, const Support& support, const std::vector<std::size_t>& piece,
+               const Options& options)
+{
+  constexpr double near = 3.; // times the distance up to which points belong to the plane
+  CGAL::Bbox_3 box;
+  double lowest = options.highest;
+  for (const std::size_t i : piece)
+  {
+    box += scene.cells[i].first.bbox();
+    lowest = (std::min)(lowest, height(support.plane, scene.cells[i].first));
+  }
+  const double width = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+  return lowest < near * options.plane_distance && width < 1.5 * options.highest;
+}
+
+// The plane that was given, as far as there are cells in it.
+Support given_support(const Scene& scene, const Options& options)
+{
+  Support support;
+  support.plane = towards_sensor(*options.plane, options);
+  for (std::size_t i = 0; i < scene.cells.size(); ++i)
+    if (std::abs(height(support.plane, scene.cells[i].first)) < options.plane_distance)
+      support.cells.push_back(i);
+  support.set_hull(scene);
+  return support;
+}
+
+// A plane, the pieces over it, and which of them stand on it.
+struct Candidate
+{
+  Support support;
+  Pieces pieces;
+  std::vector<std::size_t> standing;
+};
+
+Candidate candidate_of(const Scene& scene, Support support, const Options& options)
+{
+  constexpr double least_over = 0.5; // else it is behind the plane's end, as a wall behind a table
+  Candidate result;
+  for (std::vector<std::size_t>& piece : separated_pieces(scene, support.plane, options))
+  {
+    if (share_over(scene, support, piece) < least_over) continue;
+    if (stands_on(scene, support, piece, options)) result.standing.push_back(result.pieces.size());
+    result.pieces.push_back(std::move(piece));
+  }
+  result.support = std::move(support);
+  return result;
+}
+
+// Whether a piece on a plane is a table before a wall: it holds another plane, on which something stands, and which is
+// larger than the sides of objects are.
+bool is_table(const std::vector<std::size_t>& piece, const Candidate& on,
+              const std::vector<Candidate>& candidates, const Options& options)
+{
+  const double cells_across = 0.5 * options.highest / options.cell;
+  const std::unordered_set<std::size_t> cells(piece.begin(), piece.end());
+  for (const Candidate& other : candidates)
+  {
+    const std::vector<std::size_t>& plane = other.support.cells;
+    if (&other == &on || other.standing.empty() ||
+        static_cast<double>(plane.size()) < cells_across * cells_across)
+      continue;
+    const auto held = std::count_if(plane.begin(), plane.end(),
+                                    [&](const std::size_t i) { return cells.count(i) != 0; });
+    if (2 * static_cast<std::size_t>(held) > plane.size()) return true;
+  }
+  return false;
+}
+
+// Sets the plane with the most cells of what stands on it, or that was given; returns the pieces over it.
+Pieces find_plane(Scene& scene, const Options& options)
+{
+  std::vector<Candidate> candidates;
+  if (options.plane)
+    candidates.push_back(candidate_of(scene, given_support(scene, options), options));
+  else
+    for (Support& support : large_planes(scene, options))
+      candidates.push_back(candidate_of(scene, std::move(support), options));
+  if (candidates.empty())
+    throw std::runtime_error("there is no plane that objects could stand on; give it by --plane, "
+                             "or segment the cloud as one shape with segment_shape");
+  const Candidate* best = nullptr;
+  std::size_t most = 0;
+  for (const Candidate& candidate : candidates)
+  {
+    std::size_t size = 0;
+    for (const std::size_t i : candidate.standing)
+      if (!is_table(candidate.pieces[i], candidate, candidates, options))
+        size += candidate.pieces[i].size();
+    if (size <= most) continue;
+    most = size;
+    best = &candidate;
+  }
+  if (best == nullptr) return {};
+  scene.plane = best->support.plane;
+  return best->pieces;
+}
+
 void segment_piece(const std::vector<std::size_t>& piece, const Options& options, Scene& scene)
 {
   std::vector<Oriented> points;
@@ -210,13 +361,14 @@ Pieces_on_plane find_pieces(const std::vector<Point>& points, const Options& opt
     throw std::runtime_error("the scene has only " + std::to_string(scene.cells.size()) +
                              " points that are apart; is its unit the meter? set --cell");
   orient_to_sensor(scene, options);
-  scene.plane = supporting_plane(scene.cells, options);
   scene.object.assign(scene.cells.size(), -1);
   scene.part.assign(scene.cells.size(), -1);
-  result.pieces = separated_pieces(scene, options);
+  result.pieces = find_plane(scene, options);
   if (result.pieces.empty())
-    throw std::runtime_error("nothing stands on the plane that was found; is the sensor at the "
-                             "viewpoint? set --viewpoint");
+    throw std::runtime_error(
+        options.plane ? "nothing stands on the plane that was given; is it in the scene's unit?"
+                      : "nothing stands on a plane that was found; is the sensor at the viewpoint? "
+                        "set --viewpoint, or --plane");
   return result;
 }
 

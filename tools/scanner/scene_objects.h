@@ -8,6 +8,7 @@
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -34,9 +35,10 @@ struct Options
   double cell = 0.004;            // side of the cells that the points are thinned to
   unsigned normal_neighbors = 24; // nearest points that a normal comes from
   double plane_distance = 0.01;   // up to here points belong to the plane
-  double highest = 0.6;           // what is farther above the plane is no object on it
+  double highest = 0.6;           // what is farther above the plane, or wider, is no object on it
   double gap = 0.014;             // pieces farther apart than this are different objects
   std::size_t smallest = 80;      // pieces of fewer cells are no objects
+  std::optional<Kernel::Plane_3> plane; // that all stands on, if it is known
   WCS::Parameters parameters = with_depth_noise({});
 };
 
@@ -58,8 +60,8 @@ struct Pieces_on_plane
   std::vector<std::vector<std::size_t>> pieces; // of its cells
 };
 
-// Finds the plane and the separated pieces on it.
-// Throws std::runtime_error if there is no plane or nothing stands on it.
+// Finds the plane and the separated pieces on it: of the larger planes, that with the most on it.
+// Throws std::runtime_error if there is no plane or nothing stands on one.
 Pieces_on_plane find_pieces(const std::vector<Point>& points, const Options& options);
 
 // Finds the parts of the pieces.

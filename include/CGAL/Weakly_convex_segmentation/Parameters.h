@@ -116,6 +116,20 @@ enum class Extra_neighbors
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
+/// What the connected pieces of a mesh of several have to do with its parts. Clouds have no pieces.
+enum class Piece_rule
+{
+  /// parts may hold several pieces, or bits of several, as where a figure is put together from pieces that
+  /// penetrate each other
+  JOINED,
+  /// each piece is an object of its own, which may have several parts, as in furniture and assemblies: no part goes
+  /// from one into another. Only crumbs, under a fiftieth of the largest piece, go with what they touch; so do
+  /// open pieces that go on in each other over a gap, as those of a torn scan.
+  SEPARATE,
+  WHOLE ///< as `SEPARATE`, and no piece is cut
+};
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
 /// What the points and the neighbor graph are made with (section 3).
 struct Sampling_parameters
 {
@@ -128,14 +142,16 @@ struct Sampling_parameters
   /// point, as if they were cut there; the label of a face is that of most of its points. 0: one
   /// point a face; `[0, 1000]`
   double face_sampling_factor = 7.;
-  /// Whether all normals are turned, for the run, where the shape is closed and its normals point
-  /// inwards. Scans of a closed room from within want false. `Result::has_flipped_normals` tells.
+  /// Whether normals are turned, for the run: all of them where the shape is closed and they point inwards; those of
+  /// a cloud that is nearly closed and whose normals contradict each other, so that all point outwards. Scans of
+  /// a closed room from within want false. `Result::has_flipped_normals` tells.
   bool flip_inward_normals = true;
   Normal_orientation normal_orientation = Normal_orientation::PROPAGATION; ///< if none are given
   Extra_neighbors extra_neighbors = Extra_neighbors::FACES_AND_LINES;      ///< beside the nearest
   /// Whether vertices and points are smoothed where noise, and not the shape, turns the normals of neighbors.
   /// Shapes without noise, and the positions that are given, stay as they are.
   bool denoise = true;
+  Piece_rule pieces = Piece_rule::SEPARATE; ///< of a mesh of several connected pieces
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
@@ -267,6 +283,7 @@ inline Parameters Parameters::paper()
   p.number_of_representatives = 10000; // as many points as the paper's largest shapes have
   p.number_of_supervoxels = 10000;     // the clustering is that of the points themselves
   p.denoise = false;
+  p.pieces = Piece_rule::JOINED;              // section 6: a mesh is the points of its faces
   p.extra_neighbors = Extra_neighbors::FACES; // section 3: meshes are "augmented point clouds"
   p.number_of_patches = 100;                  // silent; the trial of the method used 100
   p.number_of_patch_sets = 1;
@@ -319,6 +336,7 @@ void for_each_parameter(Parameters_& p, const Function& f)
   f("normal_orientation", p.normal_orientation, 0., 1.);
   f("extra_neighbors", p.extra_neighbors, 0., 2.);
   f("denoise", p.denoise, 0., 1.);
+  f("pieces", p.pieces, 0., 2.);
 
   f("number_of_patches", p.number_of_patches, 1., 1000.);
   f("number_of_patch_sets", p.number_of_patch_sets, 1., 100.);

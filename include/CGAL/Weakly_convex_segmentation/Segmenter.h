@@ -122,7 +122,8 @@ public:
   Result segment(const Parameters& parameters);
 
   /// is the same with the parameters of the constructor, but for what is named:
-  /// `segmentation_parameters`, `maximum_number_of_segments`, `minimum_segment_share` and `merge_cost`,
+  /// `segmentation_parameters`, `maximum_number_of_segments`, `minimum_number_of_segments`, `minimum_segment_share` and
+  /// `merge_cost`,
   /// which also holds for the segmentations to come.
   template <typename NamedParameters = parameters::Default_named_parameters>
   Result segment(const NamedParameters& np = parameters::default_values())
@@ -131,7 +132,7 @@ public:
   }
 
   /// refines the borders of another cut through the merge tree of a result for this shape: the labels of its
-  /// patches come from `Merge_tree::labels_for()` and the like.
+  /// patches come from `Merge_tree::labels_for()` and the like. A label that would lose all of its elements keeps them.
   /// \param result what `segment()` returned; its tree and patches are those of the new result
   /// \param patch_labels one label a patch, in any order and with gaps; those of the result have none
   /// \param parameters those of border refinement count
@@ -273,6 +274,24 @@ Result segment_input(const Input& input, LabelMap label_map, const NamedParamete
 }
 
 } // namespace internal
+
+/// \ingroup PkgWeaklyConvexSegmentationRef
+/// writes one label an element into a property map, such as what `Result::labels_for()` returns.
+/// \param input a range of points, a `CGAL::Point_set_3` or a mesh, as in `weakly_convex_segmentation()`
+/// \param labels of its elements, in the order of the input
+/// \param label_map a model of `WritablePropertyMap` from the elements to `int`
+/// \throws std::invalid_argument if there is not one label an element; then, nothing is written
+/// Complexity: linear in the number of elements.
+template <typename Input, typename LabelMap>
+void write_labels(const Input& input, const std::vector<int>& labels, LabelMap label_map)
+{
+  const std::size_t elements = internal::number_of_elements(input);
+  if (labels.size() != elements)
+    throw std::invalid_argument("there are " + std::to_string(labels.size()) + " labels for " +
+                                std::to_string(elements) + " elements");
+  internal::write_labels(input, labels, label_map);
+}
+
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -66,7 +67,7 @@ Result Segmenter<ConcurrencyTag>::refine(const Result& result, const std::vector
   labels.patches = internal::representative_labels(*m_shape, result.patches);
   for (const int patch : labels.patches) labels.segments.push_back(patch_labels[patch]);
   Result refined = internal::finish_segmentation(*m_shape, std::move(labels), result.merge_tree,
-                                                 parameters, m_control);
+                                                 parameters, m_control, true);
   refined.symmetry_plane = result.symmetry_plane;
   return refined;
 }
@@ -101,7 +102,7 @@ double Segmenter<ConcurrencyTag>::convexity_rank(const std::vector<std::size_t>&
     throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
                                 " degrees, give a value from 0 to 90");
   const std::size_t n = m_shape->input.number_of_elements;
-  std::vector<std::size_t> rank(n);
+  std::vector<std::size_t> rank(n, std::numeric_limits<std::size_t>::max());
   for (std::size_t i = 0; i < m_shape->input.size(); ++i) rank[m_shape->input.elements[i]] = i;
   std::vector<internal::Index> points;
   for (const std::size_t element : subset)
@@ -109,7 +110,8 @@ double Segmenter<ConcurrencyTag>::convexity_rank(const std::vector<std::size_t>&
     if (element >= n)
       throw std::invalid_argument("element " + std::to_string(element) + " is not one of the " +
                                   std::to_string(n) + " elements of the shape");
-    points.push_back(static_cast<internal::Index>(m_shape->representative(rank[element])));
+    if (rank[element] < m_shape->input.size()) // strays have no point
+      points.push_back(static_cast<internal::Index>(m_shape->representative(rank[element])));
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());

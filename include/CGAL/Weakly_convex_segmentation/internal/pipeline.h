@@ -161,10 +161,10 @@ inline void keep_segments(const std::vector<int>& before, std::vector<int>& labe
     if (there.count(before[i]) == 0) labels[i] = before[i];
 }
 
-/// refines the borders and carries the labels to the input.
+/// refines the borders and carries the labels to the input; `keeps_all`: no segment may vanish.
 inline Result finish_segmentation(const Shape_analysis& shape, Representative_labels labels,
                                   Merge_tree tree, const Parameters& parameters,
-                                  const Run_control& control)
+                                  const Run_control& control, const bool keeps_all)
 {
   Result result;
   const auto refine = [&]
@@ -180,9 +180,10 @@ inline Result finish_segmentation(const Shape_analysis& shape, Representative_la
       straighten_borders(shape.faces, shape.input, parameters, control, result.labels);
       Torn_parts(shape.faces.links, result.labels)
           .join_small(parameters.minimum_segment_share * static_cast<double>(result.labels.size()));
-      label_strays(shape.input, result.labels);
     }
-    if (parameters.minimum_number_of_segments > 0)
+    if (parameters.pieces == Piece_rule::WHOLE) join_pieces(shape.faces.links, result.labels);
+    label_strays(shape.input, result.labels);
+    if (keeps_all)
       keep_segments(element_labels(shape.input, labels_of_points(shape, unrefined)), result.labels);
     return moved;
   };
@@ -200,6 +201,7 @@ inline Result finish_segmentation(const Shape_analysis& shape, Representative_la
   control.stage(Stage::REFINEMENT, refine);
   control.stage(Stage::STATISTICS, describe);
   result.has_flipped_normals = shape.has_flipped_normals;
+  result.has_doubtful_normals = shape.has_doubtful_normals;
   result.merge_tree = std::move(tree);
   result.number_of_components =
       result.merge_tree.number_of_patches() - result.merge_tree.number_of_fusions();
@@ -219,6 +221,7 @@ inline Result segment_shape(Shape_analysis& shape, const Parameters& parameters,
   {
     mirror = mirror_of(shape, parameters, control);
     segments = decide_segments(shape, parameters, control, own_cost, mirror);
+    if (parameters.pieces == Piece_rule::WHOLE) join_pieces(shape.points().links, segments);
     return shape.patch_sets.size();
   };
   control.stage(Stage::CONSENSUS, decide);
@@ -227,9 +230,9 @@ inline Result segment_shape(Shape_analysis& shape, const Parameters& parameters,
   const std::vector<int> region = tree.labels_after(tree.number_of_accepted_merges());
   for (std::size_t i = 0; i < segments.size(); ++i)
     segments[i] = region[patches.patches.of_point[i]];
-  Result result =
-      finish_segmentation(shape, {std::move(patches.patches.of_point), std::move(segments)},
-                          std::move(tree), parameters, control);
+  Result result = finish_segmentation(
+      shape, {std::move(patches.patches.of_point), std::move(segments)}, std::move(tree),
+      parameters, control, parameters.minimum_number_of_segments > 0);
   if (!mirror.image.empty()) result.symmetry_plane = in_input(mirror, shape.input.placement);
   return result;
 }

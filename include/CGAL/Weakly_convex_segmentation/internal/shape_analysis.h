@@ -26,9 +26,11 @@
 #include <CGAL/Weakly_convex_segmentation/internal/points/downsampling.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/estimate_normals.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
+#include <CGAL/Weakly_convex_segmentation/internal/points/normal_consistency.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/normal_direction.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Patch_visibility.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -51,7 +53,8 @@ struct Shape_analysis
   Oracles oracles;
   Oriented_points input;
   Mesh_faces faces;
-  bool has_flipped_normals = false; ///< those of the input pointed inwards
+  bool has_flipped_normals = false;  ///< those of the input pointed inwards, or some of them
+  bool has_doubtful_normals = false; ///< they contradict each other
   Representatives representatives;
   Neighbor_graph graph;
   bool is_smoothed = false;          ///< the representatives had too much noise
@@ -96,7 +99,7 @@ inline std::size_t take_samples(Raw_shape raw, const Sampling_parameters& parame
 {
   Raw_shape sampled, smoothed;
   if (parameters.denoise && denoise_mesh(raw, control, smoothed)) raw = std::move(smoothed);
-  raw.solids = find_solids(raw);
+  if (parameters.pieces != Piece_rule::JOINED) raw.solids = find_solids(raw);
   const bool has_more = sample_faces(raw, parameters, sampled);
   control.check();
   shape.input = orient_points(has_more ? sampled : raw, control.parallel, control, true);
@@ -117,14 +120,47 @@ inline std::size_t take_samples(Raw_shape raw, const Sampling_parameters& parame
   return shape.points().size();
 }
 
-/// joins the representatives to their neighbors, and takes the noise from them.
+/// joins representatives to their neighbors.
+inline Neighbor_graph join_neighbors(Oriented_points& points, const Sampling_parameters& parameters,
+                                     const Run_control& control)
+{
+  return build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel,
+                              parameters.extra_neighbors == Extra_neighbors::FACES_AND_LINES);
+}
+
+/// turns normals of a cloud that contradict each other, where it is closed enough to tell which are right.
+inline void mend_normals(const Sampling_parameters& parameters, const Run_control& control,
+                         Shape_analysis& shape)
+{
+  const auto winding = [&](const Oriented_points& points, const Neighbor_graph& graph)
+  { return mean_winding(points, graph, control.parallel); };
+  const double given = winding(shape.points(), shape.graph);
+  if (has_closed_winding(given)) return;
+  control.check();
+  Oriented_points input = shape.input;
+  const std::vector<char> is_turned = make_consistent(input, control);
+  Representatives chosen =
+      downsample(input, parameters.number_of_representatives, control.parallel, parameters.denoise);
+  control.check();
+  Neighbor_graph graph = join_neighbors(chosen.points, parameters, control);
+  const double turned = static_cast<double>(std::count(is_turned.begin(), is_turned.end(), 1)) /
+                        static_cast<double>(is_turned.size());
+  const Normals_found found = judge_normals(given, winding(chosen.points, graph), turned);
+  shape.has_doubtful_normals = found == Normals_found::DOUBTFUL;
+  if (found != Normals_found::TURNED) return;
+  shape.has_flipped_normals = true;
+  shape.input = std::move(input);
+  shape.representatives = std::move(chosen);
+  shape.graph = std::move(graph);
+}
+
+/// joins the representatives to their neighbors, and takes the noise from them. `has_given_normals`: those of a cloud
 inline std::size_t find_neighbors(const Sampling_parameters& parameters, const Run_control& control,
-                                  Shape_analysis& shape)
+                                  const bool has_given_normals, Shape_analysis& shape)
 {
   Oriented_points& points = shape.representatives.points;
-  shape.graph =
-      build_neighbor_graph(points, parameters.number_of_neighbors, control.parallel,
-                           parameters.extra_neighbors == Extra_neighbors::FACES_AND_LINES);
+  shape.graph = join_neighbors(points, parameters, control);
+  if (has_given_normals && parameters.flip_inward_normals) mend_normals(parameters, control, shape);
   shape.is_smoothed = parameters.denoise && denoise_points(shape.graph, points) > 0;
   return shape.graph.entries.size() / 2;
 }
@@ -189,6 +225,8 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
     positions = std::move(raw.positions);
     raw = std::move(rest);
   }
+  const bool has_given_normals =
+      !raw.normals.empty() && raw.first_corner.empty() && shape->faces.first_corner.empty();
   if (raw.normals.empty()) estimate_normals(raw, control, parameters.normal_orientation);
   const auto sample = [&]
   {
@@ -197,7 +235,8 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
     return shape->points().size();
   };
   control.stage(Stage::SAMPLING, sample);
-  control.stage(Stage::NEIGHBORS, [&] { return find_neighbors(parameters, control, *shape); });
+  control.stage(Stage::NEIGHBORS,
+                [&] { return find_neighbors(parameters, control, has_given_normals, *shape); });
   control.stage(Stage::PATCHES, [&] { return make_patches(parameters, control, *shape); });
   control.stage(Stage::VISIBILITY, [&] { return prepare_visibility(parameters, control, *shape); });
   control.stage(Stage::SIGNATURES,

@@ -136,6 +136,19 @@ private:
   std::map<std::pair<Index, Index>, std::size_t> m_contacts; ///< links between pieces
 };
 
+/// gives each piece of a mesh the label of most of its points, the smallest where several have as many.
+inline void join_pieces(const std::vector<std::array<Index, 2>>& links, std::vector<int>& labels)
+{
+  if (links.empty()) return; // of a cloud
+  const std::vector<Index> piece = pieces_of_labels(links, std::vector<int>(labels.size(), 0));
+  std::map<std::pair<Index, int>, std::size_t> sizes;
+  for (std::size_t i = 0; i < labels.size(); ++i) ++sizes[{piece[i], labels[i]}];
+  std::map<Index, std::pair<std::size_t, int>> largest; // and its label
+  for (const auto& [at, size] : sizes)
+    if (size > largest[at.first].first) largest[at.first] = {size, at.second};
+  for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = largest.at(piece[i]).second;
+}
+
 } // namespace internal
 } // namespace Weakly_convex_segmentation
 } // namespace CGAL

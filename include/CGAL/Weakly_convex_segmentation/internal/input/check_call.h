@@ -278,7 +278,8 @@ constexpr Mistake mistake_in_thresholds()
     return Mistake::NO_NAMED_PARAMETERS;
   else
     return Has_only<NP, names::segmentation_parameters_t, names::maximum_number_of_segments_t,
-                    names::minimum_segment_share_t, names::merge_cost_t>::value
+                    names::minimum_number_of_segments_t, names::minimum_segment_share_t,
+                    names::merge_cost_t>::value
                ? Mistake::NONE
                : Mistake::UNKNOWN_NAME;
 }

@@ -220,13 +220,13 @@ inline void link_samples(const Raw_shape& raw, const Face_samples& samples, cons
 /// adds points on the faces that are much longer than usual.
 ///
 /// An edge is too long from `face_sampling_factor` times the square root of the mean area of a face
-/// on, or of a thousandth of the area. At most `number_of_representatives` points are
+/// on, or of a four-thousandth of the area. At most `number_of_representatives` points are
 /// added; the length grows until that holds. Returns whether `result` was made: no face too long,
 /// or no corners known, and the points serve as they are.
 inline bool sample_faces(const Raw_shape& raw, const Sampling_parameters& parameters,
                          Raw_shape& result)
 {
-  constexpr std::size_t fewest_samples = 1000; // meshes of fewer faces count as so many
+  constexpr std::size_t fewest_samples = 4000; // meshes of fewer faces count as so many
   const std::size_t faces = raw.positions.size();
   const double area = total_area(raw);
   if (raw.first_corner.size() != faces + 1 || parameters.face_sampling_factor == 0. ||

@@ -14,6 +14,8 @@
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -34,7 +36,26 @@ inline double dot(const Coordinates& a, const Coordinates& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+inline Coordinates cross(const Coordinates& a, const Coordinates& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 inline double length(const Coordinates& a) { return std::hypot(a[0], a[1], a[2]); }
+
+inline double diagonal(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+/// returns the distance of two boxes.
+inline double gap(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b)
+{
+  Coordinates between;
+  for (int c = 0; c < 3; ++c)
+    between[c] = (std::max)({0., a.min(c) - b.max(c), b.min(c) - a.max(c)});
+  return length(between);
+}
 
 /// returns the normal of a polygon, as long as twice its area; of a triangle the same to the last bit from any corner
 /// on, and its opposite if it is turned over.
@@ -44,10 +65,9 @@ inline Coordinates area_vector(const std::vector<Coordinates>& polygon)
   Coordinates normal = {0., 0., 0.};
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    const Coordinates a = polygon[i] - origin, b = polygon[(i + 1) % polygon.size()] - origin;
-    normal[0] += a[1] * b[2] - a[2] * b[1];
-    normal[1] += a[2] * b[0] - a[0] * b[2];
-    normal[2] += a[0] * b[1] - a[1] * b[0];
+    const Coordinates share =
+        cross(polygon[i] - origin, polygon[(i + 1) % polygon.size()] - origin);
+    for (int c = 0; c < 3; ++c) normal[c] += share[c];
   }
   return normal;
 }

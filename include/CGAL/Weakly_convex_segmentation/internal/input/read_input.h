@@ -15,6 +15,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/input/polygons.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/read_parameters.h>
+#include <CGAL/Weakly_convex_segmentation/internal/input/shared_edges.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/soup_orientation.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
 #include <CGAL/Weakly_convex_segmentation/named_parameters.h>
@@ -219,8 +220,7 @@ inline void link_across_edges(const std::vector<Polygon_side>& sides, Raw_shape&
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end)
   {
     Index lowest = sides[i].face;
-    for (; end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high;
-         ++end)
+    for (; end < sides.size() && sides[end].is_at_edge_of(sides[i]); ++end)
       if (raw.positions[sides[end].face] < raw.positions[lowest]) lowest = sides[end].face;
     for (std::size_t j = i; j < end; ++j)
       if (sides[j].face != lowest) raw.links.push_back({lowest, sides[j].face});
@@ -247,28 +247,6 @@ void check_polygon(const std::size_t number, const Polygon& polygon,
     throw std::invalid_argument("polygon " + std::to_string(number) + " has fewer than 3 corners");
 }
 
-/// returns which polygons have the same corners as one before them, as where each is there again to be seen from
-/// behind; nothing if no edge has more than two sides.
-inline std::vector<char> doubled_polygons(const std::vector<std::size_t>& vertices,
-                                          const std::vector<std::size_t>& first,
-                                          const std::vector<Polygon_side>& sides)
-{
-  bool has_many = false;
-  for (std::size_t i = 2; i < sides.size(); ++i)
-    has_many = has_many || (sides[i].low == sides[i - 2].low && sides[i].high == sides[i - 2].high);
-  std::vector<char> is_double;
-  std::set<std::vector<std::size_t>> known;
-  for (std::size_t f = 0; has_many && f + 1 < first.size(); ++f)
-  {
-    std::vector<std::size_t> corners(vertices.begin() + static_cast<std::ptrdiff_t>(first[f]),
-                                     vertices.begin() + static_cast<std::ptrdiff_t>(first[f + 1]));
-    std::sort(corners.begin(), corners.end());
-    is_double.push_back(known.insert(std::move(corners)).second ? 0 : 1);
-  }
-  if (std::count(is_double.begin(), is_double.end(), 1) == 0) is_double.clear();
-  return is_double;
-}
-
 /// reads a polygon soup as one point a polygon, with links between those that share an edge. The
 /// normals are made consistent, see `orient_soup()`. Doubled polygons are marked, and have no links.
 /// \throws std::invalid_argument if an index is out of range or a polygon has under 3 corners.
@@ -287,7 +265,7 @@ Raw_shape read_soup(const PointRange& points, const PolygonRange& polygons, cons
 
   Raw_shape raw;
   std::vector<Coordinates> corners;
-  std::vector<std::size_t> vertices;
+  std::vector<std::size_t> vertices, unwelded;
   for (const auto& polygon : polygons)
   {
     const Index f = static_cast<Index>(raw.positions.size());
@@ -296,7 +274,8 @@ Raw_shape read_soup(const PointRange& points, const PolygonRange& polygons, cons
     for (const auto v : polygon)
     {
       corners.push_back(positions[static_cast<std::size_t>(v)]);
-      vertices.push_back(welded[static_cast<std::size_t>(v)]);
+      unwelded.push_back(static_cast<std::size_t>(v));
+      vertices.push_back(welded[unwelded.back()]);
     }
     add_polygon(corners, raw);
     control.check_sometimes();
@@ -304,12 +283,17 @@ Raw_shape read_soup(const PointRange& points, const PolygonRange& polygons, cons
   control.check();
   scale_polygons(raw);
   std::vector<Polygon_side> sides = sorted_sides(vertices, raw.first_corner);
-  raw.is_double = doubled_polygons(vertices, raw.first_corner, sides);
+  part_shared_edges(unwelded, raw, sides);
+  control.check();
+  raw.is_double = doubled_polygons(vertices, raw, sides);
   if (!raw.is_double.empty()) // what is left hangs together as if they were not there
+  {
     sides.erase(std::remove_if(sides.begin(), sides.end(),
                                [&raw](const Polygon_side& side)
                                { return raw.is_double[side.face] != 0; }),
                 sides.end());
+    part_shared_edges(unwelded, raw, sides);
+  }
   control.check();
   link_across_edges(sides, raw);
   orient_soup(sides, raw);
@@ -361,6 +345,18 @@ std::vector<double> read_diameters([[maybe_unused]] const Input& input,
       for (const auto f : faces(input)) add(f);
   }
   return diameters;
+}
+
+/// counts the elements of an input. Some meshes and ranges do not know their number.
+template <typename Input>
+std::size_t number_of_elements(const Input& input)
+{
+  std::size_t count = 0;
+  if constexpr (Is_range<Input>::value)
+    for ([[maybe_unused]] const auto& element : input) ++count;
+  else
+    for ([[maybe_unused]] const auto f : faces(input)) ++count;
+  return count;
 }
 
 /// writes the labels back through the caller's map.

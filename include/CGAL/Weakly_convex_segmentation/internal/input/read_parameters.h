@@ -52,6 +52,16 @@ Run_control read_control(const NamedParameters& np)
   return control;
 }
 
+/// \throws std::invalid_argument if a number of segments is negative
+template <typename Number>
+std::size_t number_of_segments(const char* name, const Number number)
+{
+  if (number < Number(0))
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(number) +
+                                ", give a value from 0 on");
+  return static_cast<std::size_t>(number);
+}
+
 /// reads the named parameters that are members of `Parameters`.
 /// \throws std::invalid_argument if a number of segments is negative
 template <typename NamedParameters>
@@ -66,13 +76,11 @@ Parameters read_parameters(const NamedParameters& np, const Parameters& defaults
   result.minimum_segment_share = choose_parameter(
       get_parameter(np, names::minimum_segment_share_t()), result.minimum_segment_share);
   if constexpr (is_given<NamedParameters, names::maximum_number_of_segments_t>)
-  {
-    const auto number = get_parameter(np, names::maximum_number_of_segments_t());
-    if (number < decltype(number)(0))
-      throw std::invalid_argument("maximum_number_of_segments is " + std::to_string(number) +
-                                  ", give a value from 0 on");
-    result.maximum_number_of_segments = static_cast<std::size_t>(number);
-  }
+    result.maximum_number_of_segments = number_of_segments(
+        "maximum_number_of_segments", get_parameter(np, names::maximum_number_of_segments_t()));
+  if constexpr (is_given<NamedParameters, names::minimum_number_of_segments_t>)
+    result.minimum_number_of_segments = number_of_segments(
+        "minimum_number_of_segments", get_parameter(np, names::minimum_number_of_segments_t()));
   return result;
 }
 

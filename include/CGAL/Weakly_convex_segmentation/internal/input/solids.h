@@ -9,81 +9,88 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_SOLIDS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_INTERNAL_INPUT_SOLIDS_H
 
-// The closed pieces of a mesh, as of an assembly or a piece of furniture: each is an object of its own, and where two
-// nearly touch, no part goes from one into the other.
+// The pieces of a mesh, as of an assembly or a piece of furniture: each is an object of its own, and where two nearly
+// touch, no part goes from one into the other. Only open pieces that go on in one another are one object.
 
+#include <CGAL/Weakly_convex_segmentation/internal/input/mesh_pieces.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// A piece of a mesh: faces that hang together across edges.
-struct Mesh_piece
-{
-  double area = 0., volume = 0.; ///< times 2 and 6
-  bool is_closed = true;
-};
-
-/// returns the pieces of a mesh by the first face of each, and fills `sets` with them.
-inline std::map<Index, Mesh_piece> mesh_pieces(const Raw_shape& raw, Disjoint_sets<Index>& sets)
-{
-  std::vector<std::size_t> links(raw.positions.size(), 0);
-  for (const auto& [f, g] : raw.links)
-  {
-    const auto [first, second] = std::minmax({sets.find(f), sets.find(g)});
-    sets.join_named(first, second);
-    ++links[f], ++links[g];
-  }
-  std::map<Index, Mesh_piece> pieces;
-  for (Index f = 0; f < links.size(); ++f)
-  {
-    Mesh_piece& piece = pieces[sets.find(f)];
-    const Coordinates &p = raw.positions[f], &origin = raw.positions[sets.find(f)];
-    const Coordinates& n = raw.normals[f];
-    piece.area += std::hypot(n[0], n[1], n[2]);
-    for (int c = 0; c < 3; ++c) piece.volume += (p[c] - origin[c]) * n[c];
-    piece.is_closed = piece.is_closed && links[f] >= raw.first_corner[f + 1] - raw.first_corner[f];
-  }
-  return pieces;
-}
-
-/// returns for each face of a mesh the number of the closed piece that it is of, from 1 on, or 0: for what is open, a
-/// cavity, or a crumb beside the largest one. It is empty if there are not two such pieces.
-///
-/// Complexity: O(n log n).
-inline std::vector<Index> find_solids(const Raw_shape& raw)
+/// returns the first faces of the pieces that no part is to leave: all but cavities and crumbs.
+inline std::vector<Index> large_pieces(const std::map<Index, Mesh_piece>& pieces)
 {
   constexpr double crumb = 0.02; // of the largest area: screws and eyes
   constexpr double least = 2e-4; // of the whole area: each needs some of a bounded number of points
-  if (raw.first_corner.size() != raw.positions.size() + 1) return {};
-  Disjoint_sets<Index> sets(raw.positions.size());
-  const std::map<Index, Mesh_piece> pieces = mesh_pieces(raw, sets);
-  Mesh_piece largest;
-  double area = 0.;
+  double largest = 0., largest_body = 0., volume = 0., area = 0.;
   for (const auto& [first, piece] : pieces)
   {
     area += piece.area;
-    if (piece.is_closed && piece.area > largest.area) largest = piece;
+    largest = (std::max)(largest, piece.area);
+    if (piece.boundary.empty() && piece.area > largest_body)
+      largest_body = piece.area, volume = piece.volume;
   }
-  std::map<Index, Index> number;
+  std::vector<Index> large;
   for (const auto& [first, piece] : pieces)
-    if (piece.is_closed && piece.volume * largest.volume >= 0. &&
-        piece.area >= (std::max)(crumb * largest.area, least * area))
-      number.emplace(first, static_cast<Index>(number.size() + 1));
-  if (number.size() < 2) return {};
+  {
+    const bool is_cavity = piece.boundary.empty() && piece.volume * volume < 0.;
+    if (!is_cavity && piece.area >= (std::max)(crumb * largest, least * area))
+      large.push_back(first);
+  }
+  return large;
+}
+
+/// returns the sets of pieces, by their places in `large`, that go on in one another.
+inline Disjoint_sets<Index> torn_objects(const std::map<Index, Mesh_piece>& pieces,
+                                         const std::vector<Index>& large)
+{
+  Disjoint_sets<Index> objects(large.size());
+  std::vector<Index> places;
+  std::vector<const Mesh_piece*> open;
+  for (Index i = 0; i < large.size(); ++i)
+  {
+    const Mesh_piece& piece = pieces.at(large[i]);
+    if (piece.boundary.empty()) continue;
+    places.push_back(i);
+    open.push_back(&piece);
+  }
+  Piece_seams(std::move(open))
+      .for_each([&](const std::size_t i, const std::size_t j)
+                { objects.join(places[i], places[j]); });
+  return objects;
+}
+
+/// returns for each face of a mesh the number of the object that it is of, from 1 on, or 0: for a cavity, or a crumb
+/// beside the largest piece. It is empty if there are not two objects.
+///
+/// Complexity: O(n log n), and O(p^2) for p large open pieces.
+inline std::vector<Index> find_solids(const Raw_shape& raw)
+{
+  if (raw.first_corner.size() != raw.positions.size() + 1) return {};
+  Disjoint_sets<Index> sets(raw.positions.size());
+  const std::map<Index, Mesh_piece> pieces = mesh_pieces(raw, sets);
+  const std::vector<Index> large = large_pieces(pieces);
+  Disjoint_sets<Index> objects = torn_objects(pieces, large);
+  std::map<Index, Index> number_of_object, number_of_piece;
+  for (Index i = 0; i < large.size(); ++i)
+    number_of_piece[large[i]] =
+        number_of_object.emplace(objects.find(i), static_cast<Index>(number_of_object.size() + 1))
+            .first->second;
+  if (number_of_object.size() < 2) return {};
   std::vector<Index> solids;
   for (Index f = 0; f < raw.positions.size(); ++f)
   {
-    const auto found = number.find(sets.find(f));
-    solids.push_back(found != number.end() ? found->second : 0);
+    const auto found = number_of_piece.find(sets.find(f));
+    solids.push_back(found != number_of_piece.end() ? found->second : 0);
   }
   return solids;
 }

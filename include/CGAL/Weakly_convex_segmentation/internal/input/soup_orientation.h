@@ -33,6 +33,13 @@ struct Polygon_side
   std::size_t low, high;
   Index face;
   bool along;
+  std::size_t corner;   ///< of all polygons, from which the polygon runs along the side
+  std::size_t edge = 0; ///< of several between the vertices, see `part_shared_edges()`
+
+  bool is_at_edge_of(const Polygon_side& other) const
+  {
+    return low == other.low && high == other.high && edge == other.edge;
+  }
 };
 
 /// returns the sides of all polygons without those of no length, the same edge in a row.
@@ -46,7 +53,7 @@ inline std::vector<Polygon_side> sorted_sides(const std::vector<std::size_t>& ve
     {
       const std::size_t a = vertices[i], b = vertices[i + 1 < first[f + 1] ? i + 1 : first[f]];
       if (a != b)
-        sides.push_back({(std::min)(a, b), (std::max)(a, b), static_cast<Index>(f), a < b});
+        sides.push_back({(std::min)(a, b), (std::max)(a, b), static_cast<Index>(f), a < b, i});
     }
   std::sort(sides.begin(), sides.end(),
             [](const Polygon_side& a, const Polygon_side& b)
@@ -80,8 +87,7 @@ inline std::vector<Across_edge> across_edges(const std::vector<Polygon_side>& si
   std::vector<Across_edge> across;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end)
   {
-    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high)
-      ++end;
+    while (end < sides.size() && sides[end].is_at_edge_of(sides[i])) ++end;
     if (end - i == 2 && sides[i].face != sides[i + 1].face)
     {
       const bool is_turned = sides[i].along == sides[i + 1].along;

@@ -99,20 +99,6 @@ struct Cluster
   bool is_of_shape = false;
 };
 
-inline double diagonal(const CGAL::Bbox_3& box)
-{
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
-
-/// returns the distance of two boxes.
-inline double gap(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b)
-{
-  Coordinates between;
-  for (int c = 0; c < 3; ++c)
-    between[c] = (std::max)({0., a.min(c) - b.max(c), b.min(c) - a.max(c)});
-  return length(between);
-}
-
 /// The clusters of points by a grid about the bulk.
 struct Clusters
 {

@@ -12,6 +12,7 @@
 // clang-format off
 CGAL_add_named_parameter(segmentation_parameters_t, segmentation_parameters, segmentation_parameters)
 CGAL_add_named_parameter(maximum_number_of_segments_t, maximum_number_of_segments, maximum_number_of_segments)
+CGAL_add_named_parameter(minimum_number_of_segments_t, minimum_number_of_segments, minimum_number_of_segments)
 CGAL_add_named_parameter(minimum_segment_share_t, minimum_segment_share, minimum_segment_share)
 CGAL_add_named_parameter(level_t, level, level)
 CGAL_add_named_parameter(line_of_sight_t, line_of_sight, line_of_sight)
