@@ -16,7 +16,8 @@ namespace Weakly_convex_segmentation {
 /// How the normals that are estimated for points without any are turned to the outside.
 enum class Normal_orientation
 {
-  /// from neighbor to neighbor, across thin walls too, and each piece to its own outside
+  /// from neighbor to neighbor, across thin walls too, for which more neighbors are asked, and each piece to its own
+  /// outside
   PROPAGATION,
   /// By `CGAL::mst_orient_normals()`, which is right less often, takes longer and cannot be interrupted. What
   /// it leaves without orientation, such as pieces apart from the highest point, is turned as by `PROPAGATION`.

@@ -151,35 +151,40 @@ struct Roughness
 };
 
 /// sets the normal of a point to a unit vector across the plane that fits it and its neighbors best, of
-/// either sign, or to zero if they are all in one place, and the roughness.
-///
-/// Where the neighbors are not flat, as those of a wall about as thin as they are apart, whose plane is no more theirs
-/// than others, more neighbors are asked.
-inline void fit_plane(Unoriented_points& shape, const Kd_tree& tree, const Index i)
+/// either sign, or to zero if they are all in one place, and the roughness; returns `Roughness::share`.
+inline float fit_plane(Unoriented_points& shape, const Index i)
+{
+  const Index* const row = &shape.nearest[i * shape.k];
+  const Known_neighbors neighbors(shape.points.positions, i, {row, row + shape.k});
+  shape.points.normals[i] = {};
+  if (neighbors.are_in_one_place()) return 0.f;
+  const Vector3 normal = neighbors.normal();
+  const Roughness roughness(neighbors, normal);
+  shape.points.normals[i] = normal;
+  shape.roughness[i] = roughness.all;
+  return roughness.share;
+}
+
+/// fits the plane of a point to more neighbors if its nearest ones are not flat, and more are flatter: as those of a wall
+/// about as thin as they are apart, whose plane is no more theirs than others.
+inline void fit_wide_plane(Unoriented_points& shape, const Kd_tree& tree, const Index i,
+                           const float share)
 {
   constexpr std::size_t more = 96;
   constexpr float flat = 0.15f, flatter = 0.75f;
   constexpr float two_sheets =
-      0.2f; // share of the variance within the sheets; .36 in halves of one with noise
+      0.2f; // share of the variance in the sheets; .36 in halves of one with noise
+  if (share < flat) return;
   const std::vector<Vector3>& positions = shape.points.positions;
-  const Index* const row = &shape.nearest[i * shape.k];
-  const Known_neighbors near(positions, i, {row, row + shape.k});
-  shape.points.normals[i] = {};
-  if (near.are_in_one_place()) return;
-  const Vector3 normal = near.normal();
-  const Roughness roughness(near, normal);
+  std::vector<Index> nearest;
+  tree.nearest(positions[i], more, [&nearest](const Index j, float) { nearest.push_back(j); });
+  const Known_neighbors neighbors(positions, i, {nearest.data(), nearest.data() + nearest.size()});
+  const Vector3 normal = neighbors.normal();
+  const Roughness roughness(neighbors, normal);
+  if (!(roughness.share < flatter * share)) return;
   shape.points.normals[i] = normal;
-  shape.roughness[i] = roughness.all;
-  if (roughness.share < flat) return;
-  std::vector<Index> wide;
-  tree.nearest(positions[i], more, [&wide](const Index j, float) { wide.push_back(j); });
-  const Known_neighbors far(positions, i, {wide.data(), wide.data() + wide.size()});
-  const Vector3 wide_normal = far.normal();
-  const Roughness wide_roughness(far, wide_normal);
-  if (!(wide_roughness.share < flatter * roughness.share)) return;
-  shape.points.normals[i] = wide_normal;
-  const float own_side = wide_roughness.of_own_side(far, wide_normal);
-  shape.roughness[i] = own_side < two_sheets * wide_roughness.all ? own_side : wide_roughness.all;
+  const float own_side = roughness.of_own_side(neighbors, normal);
+  shape.roughness[i] = own_side < two_sheets * roughness.all ? own_side : roughness.all;
 }
 
 /// turns normals as `CGAL::mst_orient_normals()` does. Those that it cannot turn with certainty, such as of
@@ -231,7 +236,10 @@ inline void estimate_normals(Raw_shape& raw, const Run_control& control,
                [&](const std::size_t i)
                {
                  control.check_sometimes();
-                 fit_plane(shape, tree, static_cast<Index>(i));
+                 const Index point = static_cast<Index>(i);
+                 const float share = fit_plane(shape, point);
+                 if (orientation == Normal_orientation::PROPAGATION)
+                   fit_wide_plane(shape, tree, point, share);
                });
   control.check();
   orient_outwards(points, propagate_orientation(shape, parallel, control), control);
