@@ -205,6 +205,9 @@ BOOST_AUTO_TEST_CASE(stages_and_limits_change_the_number_of_parts)
   BOOST_TEST(segments == count({}));
   BOOST_TEST(count({"--max-segments", "2"}) <= 2u);
   BOOST_TEST(count({"--max-segments", "1"}) == 1u);
+  BOOST_TEST(count({"--pieces", "whole"}) == 1u);
+  BOOST_TEST(count({"--pieces", "joined"}) == segments); // it has one
+  BOOST_TEST(segment_shape(folder, {"--pieces", "none"}).exit_code == 1);
   BOOST_TEST(count({"--segments", "4"}) == 4u);
   BOOST_TEST(count({"--segments", "12"}) == 12u);
   BOOST_TEST(count({"--set", "merging_threshold=1", "--set", "maximum_number_of_segments=2"}) <=
@@ -222,6 +225,8 @@ BOOST_AUTO_TEST_CASE(the_numbers_agree)
   const auto stats = nlohmann::json::parse(folder.read("a.json"));
   const std::vector<int> labels = labels_in(folder.read("a.seg"));
   BOOST_TEST(stats["kind"] == "mesh");
+  BOOST_TEST(stats["has_flipped_normals"] == false);
+  BOOST_TEST(stats["has_doubtful_normals"] == false);
   BOOST_TEST(stats["seed"] == 3);
   BOOST_TEST(stats["number_of_faces"] == labels.size());
   BOOST_TEST(stats["number_of_segments"] == number_of_labels(labels));

@@ -12,6 +12,7 @@
 // All parameters of the method, by stage, with the presets and the one table of their names and ranges.
 
 #include <CGAL/Weakly_convex_segmentation/Normal_orientation.h>
+#include <CGAL/Weakly_convex_segmentation/Piece_rule.h>
 
 #include <cstddef>
 #include <iterator>
@@ -113,20 +114,6 @@ enum class Extra_neighbors
   FACES,          ///< of a face of a mesh, those that share an edge with it
   FACES_AND_LINES ///< and of a point in a line of points, as those of a laser scanner, the nearest ones
                   ///< beside its line
-};
-
-/// \ingroup PkgWeaklyConvexSegmentationRef
-/// What the connected pieces of a mesh of several have to do with its parts. Clouds have no pieces.
-enum class Piece_rule
-{
-  /// parts may hold several pieces, or bits of several, as where a figure is put together from pieces that
-  /// penetrate each other
-  JOINED,
-  /// each piece is an object of its own, which may have several parts, as in furniture and assemblies: no part goes
-  /// from one into another. Only crumbs, under a fiftieth of the largest piece, go with what they touch; so do
-  /// open pieces that go on in each other over a gap, as those of a torn scan.
-  SEPARATE,
-  WHOLE ///< as `SEPARATE`, and no piece is cut
 };
 
 /// \ingroup PkgWeaklyConvexSegmentationRef
