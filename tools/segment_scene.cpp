@@ -55,10 +55,9 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
                                                                   "numbers of the objects (JSON)")(
       "viewpoint", po::value(&viewpoint)->multitoken(), "x y z of the sensor, 0 0 0 by default")(
       "plane", po::value(&plane)->multitoken(),
-      "a b c d: the plane a x + b y + c z + d = 0 that the objects stand on, by default that with "
-      "the "
-      "most on it")("cell", po::value(&options.cell)->default_value(options.cell),
-                    "thinning, in scene units")(
+      "a b c d: the plane a x + b y + c z + d = 0 that the objects stand on, by default that "
+      "with the most on it")("cell", po::value(&options.cell)->default_value(options.cell),
+                             "thinning, in scene units")(
       "plane-distance", po::value(&options.plane_distance)->default_value(options.plane_distance),
       "half thickness of the plane")("gap", po::value(&options.gap)->default_value(options.gap),
                                      "distance that separates objects")(

@@ -72,8 +72,7 @@ po::options_description described_options(Options& options, Numbers& numbers)
       "longer and needs a manifold mesh of triangles (default: own)");
   add("pieces", po::value(&options.pieces)->value_name("joined|separate|whole"),
       "whether the connected pieces of a mesh may share a part, are objects of their own, or are "
-      "not "
-      "even cut (default: that of the preset, separate but for paper)");
+      "not even cut (default: that of the preset, separate but for paper)");
   add("segments", po::value(&numbers.segments)->value_name("N"),
       "make N segments, if the shape can be cut into so many");
   add("max-segments", po::value(&numbers.max_segments)->value_name("N"),

@@ -150,10 +150,9 @@ public:
   template <typename Join>
   void for_each(const Join& join) const
   {
-    constexpr double torn =
-        0.25; // of the boundary of either piece looks at the other one over a gap
-    constexpr double stitched = 0.75,
-                     stitch = 0.05; // of it lie along those of others, and of one of these
+    constexpr double torn = 0.25;     // of either boundary looks at the other one over a gap
+    constexpr double stitched = 0.75; // of a boundary lie along those of others,
+    constexpr double stitch = 0.05;   // and so much along one of these
     for (std::size_t i = 0; i < m_pieces.size(); ++i)
     {
       double along_others = 0.;
@@ -224,6 +223,7 @@ private:
       {
         const Coordinates p = edge.at((k + 0.5) / pieces);
         const double share = waiting / length / pieces;
+        if (gap(CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]), other.box) > reach) continue;
         if (lies_along(edge, p))
           shares.along += share;
         else if (faces(edge, p))

@@ -104,8 +104,7 @@ class Shared_edges
       for (std::size_t j = 0; j < n; ++j)
       {
         if (begin[static_cast<std::ptrdiff_t>(j)].along) continue;
-        double between =
-            angle[i] - angle[j]; // the inside is on that side of a polygon along the edge
+        double between = angle[i] - angle[j]; // the inside is where angles are smaller
         while (between <= same) between += turn;
         if (between < least) least = between, nearest = j;
       }
