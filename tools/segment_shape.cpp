@@ -182,11 +182,14 @@ void write_cut(Segment_shape::Outputs& outputs, const std::optional<Segment_shap
   if (page) write_view(outputs, page, cut.shape, parts_of_cut, run);
 }
 
-void print_files(std::ostream& out, const Options& options)
+void print_files(std::ostream& out, const Options& options, const Shape& written)
 {
   for (const std::string& file : Segment_shape::output_files(options))
     if (file != "-") out << "wrote " << file << '\n';
   if (!options.split_folder.empty()) out << "wrote parts to " << options.split_folder << '\n';
+  const std::string renamed = Shape_io::renamed_properties(written);
+  if (!renamed.empty() && !(options.parts_file.empty() && options.split_folder.empty()))
+    out << "kept " << renamed << '\n';
 }
 
 std::string name_of_input(const Options& options)
@@ -251,7 +254,7 @@ void segment_shape(const Options& options)
   // before the files take their places: if this fails there are to be none
   Program_errors::flush_standard_output();
   outputs.commit();
-  if (!options.quiet) print_files(out, options);
+  if (!options.quiet) print_files(out, options, written);
 }
 
 void run_program(const int argc, const char* const argv[])

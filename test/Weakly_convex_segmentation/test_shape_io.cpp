@@ -327,6 +327,11 @@ BOOST_AUTO_TEST_CASE(nothing_is_lost_by_writing)
         BOOST_TEST(property(of_elements, "kind").values == shape.face_properties[0].values);
         BOOST_TEST(property(of_elements, "texcoord").values == shape.face_properties[2].values);
         BOOST_TEST(property(of_elements, "texcoord").first == shape.face_properties[2].first);
+        BOOST_TEST(property(of_elements, "input_label").values == shape.face_properties[1].values);
+        BOOST_TEST(Shape_io::renamed_properties(shape) == "label as input_label");
+        std::ostringstream again; // what an earlier run has written is no longer needed
+        Shape_io::write_parts(again, read, parts, encoding);
+        BOOST_TEST(again.str() == out.str());
         const Shape part = Shape_io::shape_of_elements(shape, {0, 2});
         BOOST_TEST(part.face_properties[2].first == (std::vector<std::size_t>{0, 2, 3}));
         // the majority, the first of equals, and none

@@ -23,6 +23,7 @@ struct Off_signature
 {
   bool has_colors_or_textures = false;
   bool has_normals = false;
+  std::string first_count; // the number of points, where there is no blank before it
 };
 
 Off_signature off_signature(const std::vector<std::string_view>& words)
@@ -38,6 +39,12 @@ Off_signature off_signature(const std::vector<std::string_view>& words)
   const bool has_textures = take("ST");
   result.has_colors_or_textures = take("C") || has_textures;
   result.has_normals = take("N");
+  if (word.compare(0, 3, "OFF") == 0 && word.size() > 3 &&
+      word.find_first_not_of("0123456789", 3) == std::string::npos)
+  {
+    result.first_count = word.substr(3);
+    word.erase(3);
+  }
   if (word != "OFF" || (words.size() > 1 && words[1] == "BINARY"))
     throw std::runtime_error("it does not begin with OFF, NOFF or COFF, or is binary; "
                              "export the shape as text");
@@ -64,9 +71,11 @@ void next_off_line(Text_lines& lines)
 }
 
 // The words behind the signature, on one or several lines: numbers of points, faces and edges.
-std::vector<std::size_t> off_counts(Text_lines& lines, const std::size_t most)
+std::vector<std::size_t> off_counts(Text_lines& lines, const Off_signature& signature,
+                                    const std::size_t most)
 {
   std::vector<std::size_t> counts;
+  if (!signature.first_count.empty()) counts.push_back(off_count(signature.first_count, most));
   for (std::size_t i = 1; i < lines.words().size(); ++i)
     counts.push_back(off_count(lines.words()[i], most));
   while (counts.size() < 2)
@@ -113,7 +122,7 @@ void read_off(const std::string& bytes, Shape& shape)
   Text_lines lines(bytes);
   lines.next();
   const Off_signature signature = off_signature(lines.words());
-  const std::vector<std::size_t> counts = off_counts(lines, bytes.size());
+  const std::vector<std::size_t> counts = off_counts(lines, signature, bytes.size());
   const bool is_plain_cloud = counts[1] == 0 && !signature.has_colors_or_textures;
   read_off_points(lines, counts[0], signature.has_normals || is_plain_cloud, shape);
   for (std::size_t i = 0; i < counts[1]; ++i) read_off_face(lines, shape);

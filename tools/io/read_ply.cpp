@@ -95,9 +95,13 @@ Ply_header read_ply_header(const std::string& bytes)
   Ply_header header;
   if (bytes.compare(0, 3, "ply") != 0)
     throw std::runtime_error("it does not begin with 'ply'; give it the extension of its format");
+  // lines end with a line feed, perhaps behind a carriage return, or with the latter alone, as the first one does
+  const std::size_t first_end = bytes.find_first_of("\r\n");
+  const bool has_returns =
+      first_end + 1 < bytes.size() && bytes[first_end] == '\r' && bytes[first_end + 1] != '\n';
   for (bool more = true; more;)
   {
-    const std::size_t end = bytes.find('\n', header.size);
+    const std::size_t end = bytes.find(has_returns ? '\r' : '\n', header.size);
     if (end == std::string::npos)
       throw std::runtime_error("its header has no end; copy or export it again");
     std::string line = bytes.substr(header.size, end - header.size);
@@ -206,6 +210,7 @@ void take_ply_points(std::vector<Property>&& columns, Shape& shape)
 void read_ply(const std::string& bytes, Shape& shape)
 {
   const Ply_header header = read_ply_header(bytes);
+  shape.is_of_parts = bytes.substr(0, header.size).find(comment_of_parts) != std::string::npos;
   Ply_cursor cursor(bytes, header.size, header.format);
   std::set<std::string> names;
   for (const Ply_element& element : header.elements)

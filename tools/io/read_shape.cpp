@@ -36,7 +36,7 @@ Reader reader_for(const std::string& path)
 {
   static const std::pair<const char*, Reader> readers[] = {
       {".off", read_off}, {".ply", read_ply}, {".obj", read_obj}, {".stl", read_stl},
-      {".pcd", read_pcd}, {".xyz", read_xyz}, {".pwn", read_xyz}, {".txt", read_xyz},
+      {".pcd", read_pcd}, {".xyz", read_xyz}, {".pwn", read_pwn}, {".txt", read_xyz},
       {".asc", read_xyz}, {".csv", read_xyz}, {".pts", read_pts}};
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -45,7 +45,7 @@ Reader reader_for(const std::string& path)
     if (extension == reader.first) return reader.second;
   throw std::runtime_error(
       (extension.empty() ? "it has no extension" : "'" + extension + "' is no known extension") +
-      "; use .off, .ply, .obj, .stl, .pcd, .xyz or .pwn");
+      "; use .off, .ply, .obj, .stl, .pcd, .xyz, .pwn, .txt, .asc, .csv or .pts");
 }
 
 } // namespace
@@ -63,7 +63,8 @@ Reader reader_for_bytes(const std::string& bytes)
   if (!lines.next() || is_number(lines.words()[0], number)) return read_xyz;
   const std::string word(lines.words()[0]);
   if (word.compare(0, 2, "//") == 0) return read_xyz;
-  if (word.size() >= 3 && word.compare(word.size() - 3, 3, "OFF") == 0) return read_off;
+  const std::string kind = word.substr(0, word.find_last_not_of("0123456789") + 1);
+  if (kind.size() >= 3 && kind.compare(kind.size() - 3, 3, "OFF") == 0) return read_off;
   if (lines.words().size() >= 3 && is_name(word) && word != "v" && word != "vn" && word != "vt" &&
       word != "f")
     return read_xyz; // names of columns

@@ -9,9 +9,10 @@
 #include <string>
 #include <string_view>
 
-// Clouds as a table in text: XYZ, PWN, and what programs write as TXT, ASC, CSV or PTS. Three columns
-// are the coordinates, the next three the normal, unless they are colors; all others are kept. The first
-// line may be the number of points or the names of the columns.
+// Clouds as a table in text: XYZ, PWN, and what programs write as TXT, ASC, CSV or PTS. The first line may be the
+// number of points or the names of the columns. Coordinates and normals are the columns that are called so; without
+// names the first three, and the next three if they are unit vectors. All others are kept, but for text.
+// Numbers may have a decimal comma where columns are parted by blanks or semicolons.
 
 namespace Shape_io {
 namespace internal {
@@ -19,6 +20,9 @@ namespace internal {
 bool is_name(std::string_view word);
 
 void read_xyz(const std::string& bytes, Shape& shape);
+
+// PWN: normals of any length.
+void read_pwn(const std::string& bytes, Shape& shape);
 
 // PTS: x y z intensity red green blue.
 void read_pts(const std::string& bytes, Shape& shape);

@@ -28,6 +28,9 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+// A line of the header that marks our own files.
+constexpr const char* comment_of_parts = "parts of a weakly convex segmentation";
+
 // Further numbers of each point or face, such as an intensity. A double holds every number that a
 // PLY property can have, so nothing is lost.
 struct Property
@@ -51,7 +54,9 @@ struct Shape
   std::vector<std::vector<std::size_t>> polygons;
   std::vector<Property> point_properties;
   std::vector<Property> face_properties;
-  bool is_organized = false;       // the points are the pixels of a depth image
+  std::vector<std::string> notes; // what of the file was not taken as one might expect, a line each
+  bool is_of_parts = false;       // with labels and colors of an earlier run
+  bool is_organized = false;      // the points are the pixels of a depth image
   bool has_gaps_at_origin = false; // a point at the origin is a pixel without a measurement
 
   bool is_mesh() const { return !polygons.empty(); }

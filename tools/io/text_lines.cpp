@@ -20,7 +20,7 @@ std::string shown(const std::string_view word, const std::size_t most)
 {
   std::string result(word.substr(0, most));
   for (char& c : result)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
   return result;
 }
 

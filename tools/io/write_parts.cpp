@@ -98,22 +98,42 @@ void write_triple(Ply_writer& writer, const Triple& triple, const Ply_type type)
   for (int i = 0; i < 3; ++i) writer.write(triple[i], type);
 }
 
-// The properties of the input but for those that the output has of its own.
-std::vector<const Property*> kept_properties(const std::vector<Property>& properties)
+// A property of the input, and its name in the output.
+struct Kept_property
 {
-  std::set<std::string> names = {"x",     "y",        "z",        "nx",       "ny",
-                                 "nz",    "normal_x", "normal_y", "normal_z", "red",
-                                 "green", "blue",     "alpha",    "label",    "quality"};
-  std::vector<const Property*> result;
+  const Property* property;
+  std::string name;
+};
+
+// The properties of the input but for coordinates and normals. What has a name of ours gets one before it, unless it is of
+// an earlier run of ours.
+std::vector<Kept_property> kept_properties(const std::vector<Property>& properties,
+                                           const bool are_of_earlier_run)
+{
+  const std::set<std::string> triples = {"x",  "y",        "z",        "nx",      "ny",
+                                         "nz", "normal_x", "normal_y", "normal_z"};
+  std::set<std::string> names = {"red", "green", "blue", "alpha", "label", "quality"};
+  const std::set<std::string> ours = names;
+  names.insert(triples.begin(), triples.end());
+  std::set<std::string> given;
+  for (const Property& property : properties) given.insert(property.name);
+  std::vector<Kept_property> result;
   for (const Property& property : properties)
-    if (names.insert(property.name).second) result.push_back(&property);
+  {
+    std::string name = property.name;
+    if (triples.count(name) != 0 || (are_of_earlier_run && ours.count(name) != 0)) continue;
+    while (names.count(name) != 0 || (name != property.name && given.count(name) != 0))
+      name = "input_" + name;
+    names.insert(name);
+    result.push_back({&property, name});
+  }
   return result;
 }
 
-void write_kept(Ply_writer& writer, const std::vector<const Property*>& properties,
+void write_kept(Ply_writer& writer, const std::vector<Kept_property>& properties,
                 const std::size_t i)
 {
-  for (const Property* const property : properties)
+  for (const auto& [property, name] : properties)
   {
     const Ply_type type = ply_type(property->type);
     if (!property->is_list())
@@ -127,11 +147,11 @@ void write_kept(Ply_writer& writer, const std::vector<const Property*>& properti
   }
 }
 
-void declare_part_properties(std::ostream& out, const std::vector<const Property*>& kept)
+void declare_part_properties(std::ostream& out, const std::vector<Kept_property>& kept)
 {
-  for (const Property* const property : kept)
+  for (const auto& [property, name] : kept)
     out << "property " << (property->is_list() ? "list " + property->list_size_type + ' ' : "")
-        << property->type << ' ' << property->name << '\n';
+        << property->type << ' ' << name << '\n';
   out << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
          "property int label\nproperty float quality\n";
 }
@@ -170,7 +190,7 @@ std::vector<std::size_t> faces_of_points(const Shape& shape, const std::vector<i
 }
 
 void write_points(std::ostream& out, Ply_writer& writer, const Shape& shape, const Parts& parts,
-                  const std::vector<const Property*>& kept)
+                  const std::vector<Kept_property>& kept)
 {
   const Ply_type type = type_of_coordinates(shape.points);
   const Ply_type normal_type = type_of_coordinates(shape.normals);
@@ -195,7 +215,7 @@ bool has_large_polygon(const Shape& shape)
 }
 
 void write_faces(std::ostream& out, Ply_writer& writer, const Shape& shape, const Parts& parts,
-                 const std::vector<const Property*>& kept)
+                 const std::vector<Kept_property>& kept)
 {
   const Ply_type size_type = has_large_polygon(shape) ? Ply_type::INT32 : Ply_type::UINT8;
   for (std::size_t i = 0; i < shape.polygons.size() && out; ++i)
@@ -219,8 +239,8 @@ void declare_coordinates(std::ostream& out, const Ply_type type, const std::stri
 
 void write_parts(std::ostream& out, const Shape& shape, const Parts& parts, const Encoding encoding)
 {
-  const std::vector<const Property*> of_points = internal::kept_properties(shape.point_properties);
-  const std::vector<const Property*> of_faces = internal::kept_properties(shape.face_properties);
+  const auto of_points = internal::kept_properties(shape.point_properties, shape.is_of_parts);
+  const auto of_faces = internal::kept_properties(shape.face_properties, shape.is_of_parts);
   // before anything is written: a file that can't be flushed for another locale is of no use after
   out.imbue(std::locale::classic());
   out << "ply\nformat " << (encoding == Encoding::ASCII ? "ascii" : "binary_little_endian")
@@ -239,6 +259,17 @@ void write_parts(std::ostream& out, const Shape& shape, const Parts& parts, cons
   internal::Ply_writer writer(out, encoding);
   internal::write_points(out, writer, shape, parts, of_points);
   internal::write_faces(out, writer, shape, parts, of_faces);
+}
+
+std::string renamed_properties(const Shape& shape)
+{
+  std::set<std::string> renamed;
+  for (const std::vector<Property>* properties : {&shape.point_properties, &shape.face_properties})
+    for (const auto& [property, name] : internal::kept_properties(*properties, shape.is_of_parts))
+      if (name != property->name) renamed.insert(property->name + " as " + name);
+  std::string list;
+  for (const std::string& words : renamed) list += (list.empty() ? "" : ", ") + words;
+  return list;
 }
 
 void write_labels(std::ostream& out, const std::vector<int>& labels)

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
+#include <string>
 #include <vector>
 
 // Writing of a shape with its parts.
@@ -23,9 +24,6 @@ enum class Encoding
   BINARY,
   ASCII
 };
-
-// A line of the header that marks our own files.
-constexpr const char* comment_of_parts = "parts of a weakly convex segmentation";
 
 // What is known of the parts.
 struct Parts
@@ -52,9 +50,13 @@ Ply_type type_of_coordinates(const std::vector<Triple>& triples)
 } // namespace internal
 
 // Writes the shape as PLY: its points and faces as they were read, each with a color, an int
-// `label` and a float `quality`. A point of a mesh takes the label that most of its faces have.
+// `label` and a float `quality`, and all other properties of the input. A point of a mesh takes the label that most of its faces have.
 void write_parts(std::ostream& out, const Shape& shape, const Parts& parts,
                  Encoding encoding = Encoding::BINARY);
+
+// The properties of the input that write_parts() keeps under another name, as it has one of that name: "label as
+// input_label" and so on; empty if there are none.
+std::string renamed_properties(const Shape& shape);
 
 // Writes one label a line, in the order of the input.
 void write_labels(std::ostream& out, const std::vector<int>& labels);

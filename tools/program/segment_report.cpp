@@ -62,6 +62,7 @@ void write_stats(std::ostream& out, const Options& options, const Shape_io::Shap
       {"number_of_points", shape.points.size()},
       {"number_of_faces", shape.polygons.size()},
       {"number_of_gaps", run.number_of_gaps},
+      {"notes", shape.notes},
       {"preset", options.preset},
       {"stage", options.stage},
       {"seed", options.parameters.seed},
@@ -96,6 +97,7 @@ void print_summary(std::ostream& out, const Shape_io::Shape& shape, const Run& r
   }
   if (number_of_lines < run.result.segments.size())
     out << "  and " << run.result.segments.size() - number_of_lines << " more\n";
+  for (const std::string& note : shape.notes) out << "  note: " << note << '\n';
   if (run.result.has_flipped_normals)
     out << "  note: normals that point inwards were turned for the run\n";
   if (run.result.has_doubtful_normals)
