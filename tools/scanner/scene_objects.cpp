@@ -231,9 +231,10 @@ double share_over(const Scene& scene, const Support& support, const std::vector<
   return static_cast<double>(over) / static_cast<double>(piece.size());
 }
 
-// Whether a piece begins near a plane, and is no wider than objects are high.
-bool stands_on(const Scene& scene, const Support& support, const std::vector<std::size_t>& piece,
-               const Options& options)
+// How much a piece speaks for its standing on a plane: by its size, twice if it begins near the plane, as from above only
+// the tops of objects are seen; not at all if it is wider than objects are high.
+std::size_t support_of(const Scene& scene, const Support& support,
+                       const std::vector<std::size_t>& piece, const Options& options)
 {
   constexpr double near = 3.; // times the distance up to which points belong to the plane
   CGAL::Bbox_3 box;
@@ -244,7 +245,8 @@ bool stands_on(const Scene& scene, const Support& support, const std::vector<std
     lowest = (std::min)(lowest, height(support.plane, scene.cells[i].first));
   }
   const double width = (std::max)({box.x_span(), box.y_span(), box.z_span()});
-  return lowest < near * options.plane_distance && width < 1.5 * options.highest;
+  if (width > 1.5 * options.highest) return 0;
+  return lowest < near * options.plane_distance ? 2 * piece.size() : piece.size();
 }
 
 // The plane that was given, as far as there are cells in it.
@@ -259,12 +261,17 @@ Support given_support(const Scene& scene, const Options& options)
   return support;
 }
 
-// A plane, the pieces over it, and which of them stand on it.
+// A plane, the pieces over it, and how much each speaks for the plane.
 struct Candidate
 {
   Support support;
   Pieces pieces;
-  std::vector<std::size_t> standing;
+  std::vector<std::size_t> weights;
+
+  bool is_empty() const
+  {
+    return std::all_of(weights.begin(), weights.end(), [](const std::size_t w) { return w == 0; });
+  }
 };
 
 Candidate candidate_of(const Scene& scene, Support support, const Options& options)
@@ -274,7 +281,7 @@ Candidate candidate_of(const Scene& scene, Support support, const Options& optio
   for (std::vector<std::size_t>& piece : separated_pieces(scene, support.plane, options))
   {
     if (share_over(scene, support, piece) < least_over) continue;
-    if (stands_on(scene, support, piece, options)) result.standing.push_back(result.pieces.size());
+    result.weights.push_back(support_of(scene, support, piece, options));
     result.pieces.push_back(std::move(piece));
   }
   result.support = std::move(support);
@@ -291,7 +298,7 @@ bool is_table(const std::vector<std::size_t>& piece, const Candidate& on,
   for (const Candidate& other : candidates)
   {
     const std::vector<std::size_t>& plane = other.support.cells;
-    if (&other == &on || other.standing.empty() ||
+    if (&other == &on || other.is_empty() ||
         static_cast<double>(plane.size()) < cells_across * cells_across)
       continue;
     const auto held = std::count_if(plane.begin(), plane.end(),
@@ -317,12 +324,14 @@ Pieces find_plane(Scene& scene, const Options& options)
   std::size_t most = 0;
   for (const Candidate& candidate : candidates)
   {
-    std::size_t size = 0;
-    for (const std::size_t i : candidate.standing)
+    std::size_t weight = 0;
+    for (std::size_t i = 0; i < candidate.pieces.size(); ++i)
       if (!is_table(candidate.pieces[i], candidate, candidates, options))
-        size += candidate.pieces[i].size();
-    if (size <= most) continue;
-    most = size;
+        weight += candidate.weights[i];
+    const bool is_first =
+        best == nullptr && !candidate.pieces.empty(); // if all that there is is wide
+    if (weight <= most && !is_first) continue;
+    most = weight;
     best = &candidate;
   }
   if (best == nullptr) return {};
