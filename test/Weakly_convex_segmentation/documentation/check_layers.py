@@ -18,7 +18,7 @@ FOLDER = "CGAL/Weakly_convex_segmentation/"
 
 # From what all may include to what only callers include. A name that ends with a slash is a folder.
 LAYERS = (
-    ("internal/kernel/", "Symmetry_plane.h", "Visitor.h", "Parameters.h", "Normal_orientation.h", "Merge_tree.h",
+    ("internal/kernel/", "Symmetry_plane.h", "Visitor.h", "Parameters.h", "Normal_orientation.h", "Piece_rule.h", "Merge_tree.h",
      "Result.h", "Default_traits.h", "named_parameters.h", "Convexity_graph.h"),
     ("internal/input/",),
     ("internal/points/",),
