@@ -147,6 +147,13 @@ BOOST_AUTO_TEST_CASE(normals_without_a_name_are_unit_vectors)
   { return "-0.5 1.25 2 0.6 0.8 0\n1 0 0 " + second + "\n4 5.5 -6 0 0 -1\n"; };
   for (const std::string unit : {"0 1 0", "0 0.7071 0.7071", "0 0 0"})
     BOOST_TEST(read("t.xyz", text(unit)).normals.size() == 3u);
+  {
+    const Scratch_folder folder; // of an organized cloud
+    const std::string gap = "nan nan nan nan nan nan\n";
+    const auto scan = Shape_io::read_shape(folder.write("t.xyz", text("0 1 0") + gap + gap),
+                                           Shape_io::Gaps::ALLOWED);
+    BOOST_TEST(scan.normals.size() == 5u);
+  }
   for (const std::string other : {"0.2 0.4 0.3", "-1576 142 90", "2 0 0"})
   {
     const auto shape = read("t.xyz", text(other));

@@ -128,12 +128,16 @@ bool is_name(const std::string_view word)
 
 namespace {
 
-Number_table read_number_table(std::string text)
+Number_table read_number_table(const std::string& text)
 {
-  const bool has_commas = has_decimal_commas(text);
-  if (has_commas) std::replace(text.begin(), text.end(), ',', '.');
+  std::string with_points; // only where there are decimal commas: files may be large
+  if (has_decimal_commas(text))
+  {
+    with_points = text;
+    std::replace(with_points.begin(), with_points.end(), ',', '.');
+  }
   Number_table table;
-  Text_lines lines(text, has_commas ? ";" : ",;");
+  Text_lines lines(with_points.empty() ? text : with_points, with_points.empty() ? ",;" : ";");
   std::vector<std::string> names;
   bool is_first = true;
   while (lines.next())
@@ -176,7 +180,7 @@ bool are_colors(const Number_table& table, const std::size_t first)
   return largest > 1.;
 }
 
-// Whether three columns are of vectors of length 1, but for a few, and for zeros where there is none.
+// Whether three columns are of vectors of length 1, but for a few, and for zeros or NaN where there is none.
 bool are_unit_vectors(const Number_table& table, const std::size_t first)
 {
   constexpr double tolerance = 0.1, most_others = 0.01;
@@ -185,8 +189,10 @@ bool are_unit_vectors(const Number_table& table, const std::size_t first)
   for (std::size_t i = 0; i < c[first].size(); ++i)
   {
     const double length = std::hypot(c[first][i], c[first + 1][i], c[first + 2][i]);
-    if (length == 0.) ++zeros;
-    if (length != 0. && !(std::abs(length - 1.) <= tolerance)) ++others;
+    if (length == 0. || std::isnan(length))
+      ++zeros;
+    else if (!(std::abs(length - 1.) <= tolerance))
+      ++others;
   }
   const double rows = static_cast<double>(c[first].size());
   return static_cast<double>(others) <= most_others * rows && static_cast<double>(zeros) < rows;
