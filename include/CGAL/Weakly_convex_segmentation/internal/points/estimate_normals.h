@@ -14,7 +14,7 @@
 // `CGAL::pca_estimate_normals()` and `CGAL::mst_orient_normals()` each search for the neighbors, which takes
 // longer than all of this: of a million points T, the time of CGAL's search for ten neighbors, against 0.6 T
 // with one search, estimation and propagation; 1.6 T with `mst_orient_normals()` at the end. Of 4,000 points
-// of thin shapes without noise it turns 54 % outwards, propagation 99.9 %, of thick ones 81 % and 99.5 %; of
+// of thin shapes without noise it turns 54 % outwards, propagation 99.9 %, of thick ones 81 % and 99.3 %; of
 // 20,000, whose walls are thicker than their neighborhoods, both all (`benchmark_normals`).
 //
 // Of walls as thin as the points are apart, a dozen neighbors have no plane: where that shows, more are asked. Of a plate
