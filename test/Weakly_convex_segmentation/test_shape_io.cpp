@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(bad_files_are_refused_in_one_line)
                                 "0\n1\n",
        "vertex_indices"},
       {"noend.ply", ply_header("float", 1), "no end"},
-      {"two.xyz", "0 0\n0 1\n", "three numbers"}};
+      {"two.xyz", "0 0\n0 1\n", "XYZ"}};
   const Scratch_folder folder;
   for (const auto& file : files)
   {

@@ -159,8 +159,8 @@ Number_table read_number_table(const std::string& text)
   name_columns(std::move(names), table);
   const std::size_t rows = table.columns.empty() ? 0 : table.columns[0].size();
   if (rows > 0 && table.columns.size() < 3)
-    throw std::runtime_error("it is no table of points, whose lines have three numbers or more; "
-                             "check it or export it again");
+    throw std::runtime_error("it is no table of points (XYZ, PWN, TXT, ASC, CSV, PTS), whose lines "
+                             "have three numbers or more; check it or export it again");
   if (!table.count.empty() && table.count != std::to_string(rows))
     throw std::runtime_error("its first line is neither a point nor the number of the points, " +
                              std::to_string(rows) + "; check it or export it again");

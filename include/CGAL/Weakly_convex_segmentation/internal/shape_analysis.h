@@ -30,7 +30,6 @@
 #include <CGAL/Weakly_convex_segmentation/internal/points/normal_direction.h>
 #include <CGAL/Weakly_convex_segmentation/internal/visibility/Patch_visibility.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -128,30 +127,26 @@ inline Neighbor_graph join_neighbors(Oriented_points& points, const Sampling_par
                               parameters.extra_neighbors == Extra_neighbors::FACES_AND_LINES);
 }
 
-/// turns normals of a cloud that contradict each other, where it is closed enough to tell which are right.
+/// turns normals of a cloud that contradict each other, where it is closed enough to tell which are right. That is
+/// decided on the representatives.
 inline void mend_normals(const Sampling_parameters& parameters, const Run_control& control,
                          Shape_analysis& shape)
 {
-  const auto winding = [&](const Oriented_points& points, const Neighbor_graph& graph)
-  { return mean_winding(points, graph, control.parallel); };
-  const double given = winding(shape.points(), shape.graph);
+  const auto winding = [&](const Oriented_points& points)
+  { return mean_winding(points, shape.graph, control.parallel); };
+  const double given = winding(shape.points());
   if (has_closed_winding(given)) return;
   control.check();
-  Oriented_points input = shape.input;
-  const std::vector<char> is_turned = make_consistent(input, control);
-  Representatives chosen =
-      downsample(input, parameters.number_of_representatives, control.parallel, parameters.denoise);
-  control.check();
-  Neighbor_graph graph = join_neighbors(chosen.points, parameters, control);
-  const double turned = static_cast<double>(std::count(is_turned.begin(), is_turned.end(), 1)) /
-                        static_cast<double>(is_turned.size());
-  const Normals_found found = judge_normals(given, winding(chosen.points, graph), turned);
+  Oriented_points consistent = shape.points();
+  const double turned = make_consistent(consistent, control);
+  const Normals_found found = judge_normals(given, winding(consistent), turned);
   shape.has_doubtful_normals = found == Normals_found::DOUBTFUL;
   if (found != Normals_found::TURNED) return;
+  make_consistent(shape.input, control);
   shape.has_flipped_normals = true;
-  shape.input = std::move(input);
-  shape.representatives = std::move(chosen);
-  shape.graph = std::move(graph);
+  shape.representatives = downsample(shape.input, parameters.number_of_representatives,
+                                     control.parallel, parameters.denoise);
+  shape.graph = join_neighbors(shape.representatives.points, parameters, control);
 }
 
 /// joins the representatives to their neighbors, and takes the noise from them. `has_given_normals`: those of a cloud

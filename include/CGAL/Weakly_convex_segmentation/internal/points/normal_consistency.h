@@ -86,8 +86,8 @@ inline double mean_winding(const Oriented_points& points, const Neighbor_graph& 
   return sum / static_cast<double>((std::max)(winding.size(), std::size_t(1)));
 }
 
-/// turns normals so that neighbors agree and pieces look outwards; returns which were turned.
-inline std::vector<char> make_consistent(Oriented_points& points, const Run_control& control)
+/// turns normals so that neighbors agree and pieces look outwards; returns the share that was turned.
+inline double make_consistent(Oriented_points& points, const Run_control& control)
 {
   constexpr std::size_t neighbors = 12;
   const std::size_t n = points.size();
@@ -106,10 +106,10 @@ inline std::vector<char> make_consistent(Oriented_points& points, const Run_cont
       });
   control.check();
   orient_outwards(points, propagate_orientation(shape, control.parallel, control), control);
-  std::vector<char> is_turned;
+  std::size_t turned = 0;
   for (std::size_t i = 0; i < n; ++i)
-    is_turned.push_back(dot(points.normals[i], given[i]) < 0.f ? 1 : 0);
-  return is_turned;
+    if (dot(points.normals[i], given[i]) < 0.f) ++turned;
+  return static_cast<double>(turned) / static_cast<double>(n);
 }
 
 /// What is found about given normals.
