@@ -5,6 +5,7 @@
 // face or point, one per line, as .seg.
 
 #include "io/atomic_file.h"
+#include "program/command_line.h"
 #include "program/interruption.h"
 #include "program/program_errors.h"
 #include "shapes/shape_generator.h"
@@ -40,25 +41,22 @@ Options parse(int argc, char* argv[])
   po::options_description visible("make_shapes [options] [NAME...]\n"
                                   "Writes the named shapes with their true parts; without a name, "
                                   "all shapes.\nOptions");
-  visible.add_options()("help,h", po::bool_switch(&options.help),
-                        "show this text and the names of the shapes")(
+  visible.add_options()("help,h", "show this text and the names of the shapes")(
       "output,o", po::value(&options.directory)->default_value("."), "directory to write to")(
       "faces", po::value(&options.faces)->default_value(12000), "faces of a mesh, about")(
       "points", po::value(&options.points)->default_value(20000), "points of a cloud")(
       "cloud", po::bool_switch(&options.cloud), "write point clouds instead of meshes")(
       "seed", po::value(&options.seed)->default_value(0), "seed of all that is random");
-  po::options_description all;
-  all.add(visible).add_options()("name", po::value(&options.names));
-  po::positional_options_description positional;
-  positional.add("name", -1);
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
-  po::notify(values);
+  const po::variables_map given =
+      Command_line::parsed("make_shapes", argc, argv, visible, "name", -1);
+  options.help = given.count("help") > 0;
+  if (given.count("name") > 0) options.names = given["name"].as<std::vector<std::string>>();
   if (options.help)
   {
     std::cout << visible << "Shapes:";
     for (const std::string& name : Shape_generator::shape_names()) std::cout << ' ' << name;
     std::cout << '\n';
+    return options;
   }
   // Read as signed numbers, as a minus sign would else turn into a huge number of faces.
   if (options.faces < 1000 || options.faces > 2000000)
@@ -69,7 +67,9 @@ Options parse(int argc, char* argv[])
   if (options.names.empty()) options.names = names;
   for (const std::string& name : options.names) // before anything is made
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw std::invalid_argument("there is no shape '" + name + "'; see make_shapes --help");
+      throw std::invalid_argument("there is no shape '" + name + "'" +
+                                  Command_line::suggestion(name, names) +
+                                  "; see make_shapes --help");
   return options;
 }
 

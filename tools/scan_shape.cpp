@@ -5,6 +5,7 @@
 
 #include "io/atomic_file.h"
 #include "io/read_shape.h"
+#include "program/command_line.h"
 #include "program/interruption.h"
 #include "program/program_errors.h"
 #include "scanner/virtual_scanner.h"
@@ -37,26 +38,21 @@ bool read_options(const int argc, char** argv, Options& options)
                                   "scans a mesh, or a made shape, from some sides\nOptions");
   Virtual_scanner::Camera& camera = options.camera;
   std::size_t resolution = camera.resolution;
-  visible.add_options()("help", "print this")("output,o", po::value(&options.output)->required(),
-                                              "cloud to write")(
+  visible.add_options()("help,h", "print this")("output,o", po::value(&options.output)->required(),
+                                                "cloud to write")(
       "shape", po::value(&options.shape)->default_value("figure"), "the made shape, without MESH")(
       "views", po::value(&options.views)->default_value(4), "number of viewpoints, 1 to 1000")(
       "resolution", po::value(&resolution)->default_value(resolution), "pixels along a side")(
       "noisy", po::bool_switch(&options.with_noise), "noise, steps and losses of a real camera")(
       "noise", po::value<double>(), "standard deviation of depths, in diameters of the shape")(
       "seed", po::value(&options.seed)->default_value(0), "seed of viewpoints and noise");
-  po::options_description all;
-  all.add(visible).add_options()("input", po::value(&options.input), "");
-  po::positional_options_description positional;
-  positional.add("input", 1);
-  po::variables_map map;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), map);
+  const po::variables_map map = Command_line::parsed("scan_shape", argc, argv, visible);
   if (map.count("help") > 0)
   {
     std::cout << visible;
     return false;
   }
-  po::notify(map);
+  if (map.count("input") > 0) options.input = map["input"].as<std::string>();
   if (options.views < 1 || options.views > 1000)
     throw std::invalid_argument("--views has to be from 1 to 1000");
   if (options.with_noise) camera = Virtual_scanner::realistic_camera();

@@ -8,6 +8,7 @@
 #include "io/part_colors.h"
 #include "io/read_shape.h"
 #include "io/write_parts.h"
+#include "program/command_line.h"
 #include "program/interruption.h"
 #include "program/program_errors.h"
 #include "scanner/scene_objects.h"
@@ -31,18 +32,6 @@ struct Files
   std::string input, parts, stats;
 };
 
-// A negative number is no option.
-std::vector<po::option> read_negative_number(std::vector<std::string>& arguments)
-{
-  const std::string first = arguments.front();
-  if (first.size() < 2 || first[0] != '-' || first.find_first_of(".0123456789") != 1) return {};
-  po::option number;
-  number.value = {first};
-  number.original_tokens = {first};
-  arguments.erase(arguments.begin());
-  return {number};
-}
-
 // returns whether there is something to do.
 bool read_options(const int argc, char** argv, Files& files, Scene_objects::Options& options)
 {
@@ -50,7 +39,7 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
   std::string preset;
   po::options_description visible("segment_scene SCENE.ply [options]\n"
                                   "finds the objects on a table, and their parts\nOptions");
-  visible.add_options()("help", "print this")(
+  visible.add_options()("help,h", "print this")(
       "output,o", po::value(&files.parts), "colored scene (PLY)")("stats", po::value(&files.stats),
                                                                   "numbers of the objects (JSON)")(
       "viewpoint", po::value(&viewpoint)->multitoken(), "x y z of the sensor, 0 0 0 by default")(
@@ -62,24 +51,15 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
       "half thickness of the plane")("gap", po::value(&options.gap)->default_value(options.gap),
                                      "distance that separates objects")(
       "preset", po::value(&preset)->default_value("default"), "default, training_free or paper");
-  po::options_description all;
-  all.add(visible).add_options()("input", po::value(&files.input)->required(), "");
-  po::positional_options_description positional;
-  positional.add("input", 1);
-  po::variables_map map;
-  po::store(po::command_line_parser(argc, argv)
-                .options(all)
-                .positional(positional)
-                .style(po::command_line_style::unix_style)
-                .extra_style_parser(read_negative_number)
-                .run(),
-            map);
+  const po::variables_map map = Command_line::parsed("segment_scene", argc, argv, visible);
   if (map.count("help") > 0)
   {
     std::cout << visible;
     return false;
   }
-  po::notify(map);
+  if (map.count("input") == 0)
+    throw std::invalid_argument("there is no scene; name a file, see segment_scene --help");
+  files.input = map["input"].as<std::string>();
   options.parameters =
       Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters::preset(preset));
   if (!(options.cell > 0. && options.plane_distance > 0. && options.gap > 0.))

@@ -27,12 +27,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -187,6 +189,7 @@ void print_files(std::ostream& out, const Options& options, const Shape& written
   for (const std::string& file : Segment_shape::output_files(options))
     if (file != "-") out << "wrote " << file << '\n';
   if (!options.split_folder.empty()) out << "wrote parts to " << options.split_folder << '\n';
+  if (Segment_shape::has_hull_folder(options)) out << "wrote hulls to " << options.hulls << '\n';
   const std::string renamed = Shape_io::renamed_properties(written);
   if (!renamed.empty() && !(options.parts_file.empty() && options.split_folder.empty()))
     out << "kept " << renamed << '\n';
@@ -205,7 +208,14 @@ void check_outputs(const Options& options)
   for (const std::string& file : files) Shape_io::Atomic_file::check(file);
   files.insert(files.end(), {options.input, options.dense_file});
   if (!options.split_folder.empty())
-    Segment_shape::Split_folder::check_no_part(options.split_folder, files);
+    Segment_shape::Split_folder::check_no_part(options.split_folder, "part", files);
+  if (Segment_shape::has_hull_folder(options))
+    Segment_shape::Split_folder::check_no_part(options.hulls, "hull", files);
+  std::error_code error;
+  if (options.is_named_by_us && std::filesystem::exists(options.parts_file, error) &&
+      !Shape_io::is_written_by_us(options.parts_file))
+    throw Shape_io::File_error("there is a file '" + options.parts_file +
+                               "' that is no earlier result; name another one with -o");
 }
 
 void segment_shape(const Options& options)
@@ -225,6 +235,9 @@ void segment_shape(const Options& options)
   run.seconds_of_reading = reading.seconds();
   const Shape& written = dense ? *dense : shape;
   if (options.is_cut) Shape_io::check_can_be_cut(written);
+  if (options.is_closed && !written.is_mesh())
+    throw std::invalid_argument(
+        "a cloud of points has no surface that could be closed; give a mesh, or leave out --close");
   const Shape_io::Measured_shape measured(shape);
   run.number_of_gaps = measured.number_of_gaps();
 
@@ -254,7 +267,9 @@ void segment_shape(const Options& options)
   // before the files take their places: if this fails there are to be none
   Program_errors::flush_standard_output();
   outputs.commit();
-  if (!options.quiet) print_files(out, options, written);
+  if (options.quiet) return;
+  for (const std::string& note : outputs.notes()) out << "  note: " << note << '\n';
+  print_files(out, options, written);
 }
 
 void run_program(const int argc, const char* const argv[])

@@ -286,8 +286,9 @@ BOOST_AUTO_TEST_CASE(flat_and_tiny_parts_have_no_hull)
   const std::vector<int> labels = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2, 3, 4, 4};
   const Shape_io::Part_hulls hulls = Shape_io::part_hulls(cloud, labels, 5);
   BOOST_TEST(hulls.flat_parts == (std::vector<int>{1, 2, 3, 4}), boost::test_tools::per_element());
-  BOOST_TEST(hulls.shape.points.size() == 8u);
-  BOOST_TEST(hulls.labels.size() == hulls.shape.polygons.size());
+  BOOST_TEST_REQUIRE(hulls.hulls.size() == 1u);
+  BOOST_TEST(hulls.hulls[0].points.size() == 8u);
+  BOOST_TEST(hulls.hulls[0].label == 0);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_left_when_an_output_fails)

@@ -272,10 +272,44 @@ BOOST_AUTO_TEST_CASE(quiet_prints_nothing)
   BOOST_TEST(folder.has("parts.ply"));
 }
 
+BOOST_AUTO_TEST_CASE(without_an_output_the_parts_are_named_after_the_input)
+{
+  const Scratch_folder folder;
+  folder.write("scan.off", off());
+  check_success(segment_shape(folder, {"scan.off"}));
+  BOOST_TEST(folder.has("scan_parts.ply"));
+  check_success(segment_shape(folder, {"scan.off"})); // again, over its own
+  folder.write("scan_parts.ply", "somebody's own");
+  BOOST_TEST(segment_shape(folder, {"scan.off"}).exit_code == 1);
+  BOOST_TEST(folder.read("scan_parts.ply") == "somebody's own");
+}
+
+BOOST_AUTO_TEST_CASE(what_was_mistyped_is_told)
+{
+  const Scratch_folder folder;
+  const auto error = [&](const std::string& program, const Words& words)
+  {
+    const Outcome outcome = run(folder, program, words);
+    BOOST_TEST(outcome.exit_code == 1);
+    return outcome.err;
+  };
+  const auto has = [](const std::string& text, const std::string& part)
+  { return text.find("did you mean '" + part + "'") != std::string::npos; };
+  BOOST_TEST(has(error("segment_shape", {"--lables", "a.seg"}), "--labels"));
+  BOOST_TEST(has(error("segment_shape", {"--preste=paper"}), "--preset"));
+  BOOST_TEST(has(error("segment_shape", {"--set", "merging_treshold=0.4"}), "merging_threshold"));
+  BOOST_TEST(has(error("segment_scene", {"a.pcd", "--viewpiont", "0", "0", "1"}), "--viewpoint"));
+  BOOST_TEST(has(error("scan_shape", {"--veiws", "3"}), "--views"));
+  BOOST_TEST(has(error("make_shapes", {"figrue"}), "figure"));
+  BOOST_TEST(error("segment_shape", {"--xyzzy"}).find("did you mean") == std::string::npos);
+  for (const std::string program : {"segment_shape", "segment_scene", "scan_shape", "make_shapes"})
+    BOOST_TEST(run(folder, program, {"-h"}).out.find("--output") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(help_and_version_are_printed)
 {
   const Scratch_folder folder;
-  for (const Words& words : {Words{"--help"}, Words{"--version"}})
+  for (const Words& words : {Words{"--help"}, Words{"-h"}, Words{"--version"}})
   {
     const Outcome outcome = segment_shape(folder, words);
     check_success(outcome);

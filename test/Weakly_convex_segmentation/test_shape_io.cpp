@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <iostream>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -375,8 +376,34 @@ BOOST_AUTO_TEST_CASE(neighbors_have_clearly_different_colors)
   const std::vector<Shape_io::Color> colors = Shape_io::part_colors(neighbors);
   for (std::size_t a = 0; a < neighbors.size(); ++a)
     for (const std::size_t b : neighbors[a])
-      BOOST_TEST(Shape_io::internal::color_difference(colors[a], colors[b]) > 100.);
+      BOOST_TEST(Shape_io::internal::color_difference(colors[a], colors[b]) > .07);
   BOOST_TEST((colors == Shape_io::part_colors(neighbors)));
+}
+
+BOOST_AUTO_TEST_CASE(no_color_comes_twice_while_there_are_enough)
+{
+  using Shape_io::internal::color_difference;
+  // to all eyes each differs from each, and from white and dark grounds
+  for (const Shape_io::Color& a : Shape_io::internal::palette)
+  {
+    for (const Shape_io::Color& b : Shape_io::internal::palette)
+      BOOST_TEST((a == b || color_difference(a, b) > .07));
+    BOOST_TEST(color_difference(a, {255, 255, 255}) > .07);
+    BOOST_TEST(color_difference(a, {30, 30, 30}) > .2);
+  }
+  for (std::size_t n = 1; n <= 20; ++n)
+  {
+    Shape_io::Neighbors ring(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if (n > 1) ring[i].push_back((i + 1) % n);
+      if (n > 2) ring[i].push_back((i + n - 1) % n);
+    }
+    const std::vector<Shape_io::Color> colors = Shape_io::part_colors(ring);
+    BOOST_TEST(std::set<Shape_io::Color>(colors.begin(), colors.end()).size() == n);
+    for (std::size_t i = 0; i < n; ++i) // neighbors more than any two have to
+      for (const std::size_t j : ring[i]) BOOST_TEST(color_difference(colors[i], colors[j]) > .2);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(neighbors_are_found_on_meshes_and_clouds)

@@ -6,6 +6,7 @@
 #include <CGAL/bounding_box.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,39 +18,126 @@
 namespace Shape_io {
 namespace internal {
 
+namespace {
+
+using Triple = std::array<double, 3>;
+using Matrix = std::array<Triple, 3>;
+
+Triple times(const Matrix& m, const Triple& v)
+{
+  Triple result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
+  return result;
+}
+
+// What eyes make of light, in linear red, green and blue: usual ones, and without long, middle, short cones.
+constexpr Matrix eyes[] = {{{{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}},
+                           {{{0.152286, 1.052583, -0.204868},
+                             {0.114503, 0.786281, 0.099216},
+                             {-0.003882, -0.048116, 1.051998}}},
+                           {{{0.367322, 0.860646, -0.227968},
+                             {0.280085, 0.672501, 0.047413},
+                             {-0.011820, 0.042940, 0.968881}}},
+                           {{{1.255528, -0.076749, -0.178779},
+                             {-0.078411, 0.930809, 0.147602},
+                             {0.004733, 0.691367, 0.303900}}}};
+
+Triple linear(const Color& color)
+{
+  Triple result;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double c = color[i] / 255.;
+    result[i] = c <= .04045 ? c / 12.92 : std::pow((c + .055) / 1.055, 2.4);
+  }
+  return result;
+}
+
+Triple oklab(const Triple& light)
+{
+  constexpr Matrix to_cones = {{{0.4122214708, 0.5363325363, 0.0514459929},
+                                {0.2119034982, 0.6806995451, 0.1073969566},
+                                {0.0883024619, 0.2817188376, 0.6299787005}}};
+  constexpr Matrix to_lab = {{{0.2104542553, 0.7936177850, -0.0040720468},
+                              {1.9779984951, -2.4285922050, 0.4505937099},
+                              {0.0259040371, 0.7827717662, -0.8086757660}}};
+  Triple cones = times(to_cones, light);
+  for (double& cone : cones) cone = std::cbrt((std::max)(cone, 0.));
+  return times(to_lab, cones);
+}
+
+Triple seen_by(const Matrix& eye, const Color& color)
+{
+  Triple light = times(eye, linear(color));
+  for (double& channel : light) channel = (std::min)((std::max)(channel, 0.), 1.);
+  return oklab(light);
+}
+
+} // namespace
+
 double color_difference(const Color& a, const Color& b)
 {
-  const double mean_red = (double(a[0]) + double(b[0])) / 2.;
-  const double red = double(a[0]) - double(b[0]);
-  const double green = double(a[1]) - double(b[1]);
-  const double blue = double(a[2]) - double(b[2]);
-  return std::sqrt((2. + mean_red / 256.) * red * red + 4. * green * green +
-                   (2. + (255. - mean_red) / 256.) * blue * blue);
+  double least = 1.;
+  for (const Matrix& eye : eyes)
+  {
+    const Triple at_a = seen_by(eye, a), at_b = seen_by(eye, b);
+    least = (std::min)(least, std::hypot(at_a[0] - at_b[0], at_a[1] - at_b[1], at_a[2] - at_b[2]));
+  }
+  return least;
 }
 
 namespace {
 
-double smallest_difference(const Color& color, const std::vector<Color>& others)
+// How much two colors side by side look alike: of two that do, less than for any number that do not.
+using Likeness = std::array<std::array<double, palette_size>, palette_size>;
+
+Likeness likeness()
 {
-  double result = 1000.;
-  for (const Color& other : others) result = (std::min)(result, color_difference(color, other));
+  Likeness result;
+  for (std::size_t i = 0; i < palette_size; ++i)
+    for (std::size_t j = 0; j < palette_size; ++j)
+      result[i][j] = std::pow((std::max)(color_difference(palette[i], palette[j]), .01), -4.);
   return result;
 }
 
-// A color for a part that differs clearly from those around it: the first in the palette, from a
-// place that depends on the label, or the most different one if all are near to another.
-Color choose_color(const std::size_t label, const std::vector<Color>& around)
+// How alike a part would look to its neighbors; `as` is what the part `other` would be.
+double cost_of(const Neighbors& neighbors, const std::vector<std::size_t>& chosen,
+               const Likeness& alike, const std::size_t part, const std::size_t color,
+               const std::size_t other, const std::size_t as)
 {
-  constexpr double clear_difference = 200.;
-  const std::size_t start = (label * 7) % palette_size; // 7 is prime to the size: all are used
-  Color best = palette[start];
-  for (std::size_t i = 0; i < palette_size; ++i)
+  double sum = 0.;
+  for (const std::size_t beside : neighbors[part])
+    sum += alike[color][beside == other ? as : chosen[beside]];
+  return sum;
+}
+
+// Gives a part another color, if the sum of likenesses becomes less; while there are enough, the part that has that one
+// gets its own.
+bool improve(const Neighbors& neighbors, const Likeness& alike, const std::size_t part,
+             std::vector<std::size_t>& chosen)
+{
+  const std::size_t n = chosen.size(), own = chosen[part];
+  const auto cost = [&](const std::size_t p, const std::size_t color, const std::size_t other,
+                        const std::size_t as)
+  { return cost_of(neighbors, chosen, alike, p, color, other, as); };
+  for (std::size_t color = 0; color < palette_size; ++color)
   {
-    const Color& color = palette[(start + i) % palette_size];
-    if (smallest_difference(color, around) >= clear_difference) return color;
-    if (smallest_difference(color, around) > smallest_difference(best, around)) best = color;
+    const auto holder =
+        n > palette_size ? chosen.end() : std::find(chosen.begin(), chosen.end(), color);
+    const auto other = static_cast<std::size_t>(holder - chosen.begin()); // n if there is none
+    if (color == own) continue;
+    double before = cost(part, own, n, 0), after = cost(part, color, other, own);
+    if (other < n)
+    {
+      before += cost(other, color, n, 0);
+      after += cost(other, own, part, color);
+    }
+    if (!(after < before * (1. - 1e-9))) continue;
+    if (other < n) chosen[other] = own;
+    chosen[part] = color;
+    return true;
   }
-  return best;
+  return false;
 }
 
 using Label_pairs = std::set<std::pair<std::size_t, std::size_t>>;
@@ -120,14 +208,20 @@ Neighbors part_neighbors(const Shape& shape, const std::vector<int>& labels,
 
 std::vector<Color> part_colors(const Neighbors& neighbors)
 {
-  std::vector<Color> colors(neighbors.size());
-  for (std::size_t label = 0; label < neighbors.size(); ++label)
+  constexpr std::size_t most_rounds = 20; // few are needed
+  static const internal::Likeness alike = internal::likeness();
+  std::vector<std::size_t> chosen(neighbors.size());
+  for (std::size_t part = 0; part < chosen.size(); ++part)
+    chosen[part] = part % internal::palette_size;
+  bool is_better = true;
+  for (std::size_t round = 0; is_better && round < most_rounds; ++round)
   {
-    std::vector<Color> around;
-    for (const std::size_t neighbor : neighbors[label])
-      if (neighbor < label) around.push_back(colors[neighbor]);
-    colors[label] = internal::choose_color(label, around);
+    is_better = false;
+    for (std::size_t part = 0; part < chosen.size(); ++part)
+      if (internal::improve(neighbors, alike, part, chosen)) is_better = true;
   }
+  std::vector<Color> colors;
+  for (const std::size_t color : chosen) colors.push_back(internal::palette[color]);
   return colors;
 }
 

@@ -3,67 +3,235 @@
 
 #include "io/part_hulls.h"
 
+#include "io/closed_parts.h"
+#include "io/convex_division.h"
 #include "io/separate_parts.h"
 
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/convex_hull_3.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/bounding_box.h>
+#include <CGAL/squared_distance_3.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <set>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace Shape_io {
 
 namespace {
 
-// Whether all points lie in one plane, exactly.
-bool is_flat(const std::vector<Point>& points)
+// A hull that is being made, and what it is the hull of.
+struct Draft
 {
-  std::size_t second = 1, third;
-  while (second < points.size() && points[second] == points[0]) ++second;
-  third = second + 1;
-  while (third < points.size() && CGAL::collinear(points[0], points[second], points[third]))
-    ++third;
-  for (std::size_t i = third + 1; i < points.size(); ++i)
-    if (!CGAL::coplanar(points[0], points[second], points[third], points[i])) return false;
-  return true;
+  std::vector<Point> corners;
+  double volume = 0.;
+  Piece piece = {};                                  // of meshes
+  std::map<std::size_t, double> volume_of_part = {}; // how much of it is due to which part
+};
+
+std::vector<Point> corners_of(const Hull_mesh& hull)
+{
+  return {hull.points().begin(), hull.points().end()};
 }
 
-void add_hull(const std::vector<Point>& points, const int label, Part_hulls& hulls)
+Draft draft_of(const std::vector<Point>& points, const std::size_t part)
 {
-  CGAL::Surface_mesh<Point> hull;
-  CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  std::map<CGAL::SM_Vertex_index, std::size_t> index;
-  for (const auto v : hull.vertices())
+  const Hull_mesh hull = hull_of(points);
+  const double volume = CGAL::Polygon_mesh_processing::volume(hull);
+  return {corners_of(hull), volume, {}, {{part, volume}}};
+}
+
+double volume_together(const Draft& a, const Draft& b)
+{
+  std::vector<Point> points = a.corners;
+  points.insert(points.end(), b.corners.begin(), b.corners.end());
+  return CGAL::Polygon_mesh_processing::volume(hull_of(points));
+}
+
+void join(Draft& a, Draft& b)
+{
+  std::vector<Point> points = a.corners;
+  points.insert(points.end(), b.corners.begin(), b.corners.end());
+  const Hull_mesh hull = hull_of(points);
+  a.corners = corners_of(hull);
+  a.volume = CGAL::Polygon_mesh_processing::volume(hull);
+  a.piece.insert(a.piece.end(), b.piece.begin(), b.piece.end());
+  for (const auto& [part, volume] : b.volume_of_part) a.volume_of_part[part] += volume;
+}
+
+// Joins the two that enclose the least more together, until there are few enough.
+void join_until(std::vector<Draft>& drafts, const std::size_t most)
+{
+  if (drafts.size() <= most) return;
+  const std::size_t n = drafts.size();
+  std::vector<std::vector<double>> added(n, std::vector<double>(n));
+  const auto measure = [&](const std::size_t i, const std::size_t j)
+  { added[i][j] = volume_together(drafts[i], drafts[j]) - drafts[i].volume - drafts[j].volume; };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) measure(i, j);
+  std::set<std::size_t> left;
+  for (std::size_t i = 0; i < n; ++i) left.insert(i);
+  while (left.size() > most)
   {
-    index[v] = hulls.shape.points.size();
-    hulls.shape.points.push_back(hull.point(v));
+    std::pair<std::size_t, std::size_t> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : left)
+      for (auto j = left.upper_bound(i); j != left.end(); ++j)
+        if (added[i][*j] < least)
+        {
+          least = added[i][*j];
+          best = {i, *j};
+        }
+    join(drafts[best.first], drafts[best.second]);
+    left.erase(best.second);
+    for (const std::size_t i : left)
+      if (i != best.first) measure((std::min)(i, best.first), (std::max)(i, best.first));
   }
+  std::vector<Draft> kept;
+  for (const std::size_t i : left) kept.push_back(std::move(drafts[i]));
+  drafts.swap(kept);
+}
+
+// The corners that matter most: each the furthest from the hull of those before it.
+std::vector<Point> fewer_corners(const std::vector<Point>& corners, const std::size_t most)
+{
+  if (corners.size() <= most) return corners;
+  std::vector<Point> kept = {*std::min_element(corners.begin(), corners.end())};
+  const auto take_furthest = [&](const auto& squared_distance)
+  {
+    double furthest = -1.;
+    Point best = kept.front();
+    for (const Point& p : corners)
+      if (const double d = squared_distance(p); d > furthest)
+      {
+        furthest = d;
+        best = p;
+      }
+    kept.push_back(best);
+  };
+  take_furthest([&](const Point& p) { return CGAL::squared_distance(p, kept[0]); });
+  take_furthest([&](const Point& p)
+                { return CGAL::squared_distance(p, Kernel::Line_3(kept[0], kept[1])); });
+  take_furthest([&](const Point& p)
+                { return CGAL::squared_distance(p, Kernel::Plane_3(kept[0], kept[1], kept[2])); });
+  while (kept.size() < most)
+  {
+    const Hull_mesh hull = hull_of(kept);
+    std::vector<Kernel::Plane_3> planes;
+    for (const auto f : hull.faces())
+    {
+      const auto h = hull.halfedge(f);
+      planes.emplace_back(hull.point(hull.source(h)), hull.point(hull.target(h)),
+                          hull.point(hull.target(hull.next(h))));
+    }
+    take_furthest(
+        [&](const Point& p)
+        {
+          double out = 0.;
+          for (const auto& plane : planes)
+            if (plane.has_on_positive_side(p))
+              out = (std::max)(out, double(CGAL::squared_distance(p, plane)));
+          return out;
+        });
+  }
+  return kept;
+}
+
+Part_hull finished(const Draft& draft, const std::vector<Solid_part>& parts, const double scale,
+                   const std::size_t most_corners)
+{
+  const Hull_mesh hull = hull_of(fewer_corners(draft.corners, most_corners));
+  Part_hull result;
+  result.points = corners_of(hull);
   for (const auto f : hull.faces())
   {
-    hulls.shape.polygons.emplace_back();
+    result.triangles.emplace_back();
     for (const auto v : hull.vertices_around_face(hull.halfedge(f)))
-      hulls.shape.polygons.back().push_back(index[v]);
-    hulls.labels.push_back(label);
+      result.triangles.back().push_back(static_cast<std::size_t>(v));
   }
+  const auto largest =
+      std::max_element(draft.volume_of_part.begin(), draft.volume_of_part.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  result.label = static_cast<int>(largest->first);
+  if (draft.piece.empty()) return result;
+  std::vector<const Solid_part*> own;
+  for (const auto& entry : draft.volume_of_part) own.push_back(&parts[entry.first]);
+  result.error = hull_error(hull, draft.piece, own).distance / scale;
+  return result;
+}
+
+Piece piece_of(const Shape& part)
+{
+  Piece piece;
+  for (const auto& polygon : part.polygons)
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      piece.push_back(
+          {part.points[polygon[0]], part.points[polygon[i - 1]], part.points[polygon[i]]});
+  return piece;
 }
 
 } // namespace
 
 Part_hulls part_hulls(const Shape& shape, const std::vector<int>& labels,
-                      const std::size_t number_of_parts)
+                      const std::size_t number_of_parts, const Hull_options& options)
 {
-  Part_hulls hulls;
+  const bool is_divided = std::isfinite(options.largest_error);
+  if (is_divided && !shape.is_mesh())
+    throw std::invalid_argument("the inside of a cloud's parts is not known, so that the error of "
+                                "hulls can't be measured; give a mesh, or leave out --hull-error");
+  const auto box = CGAL::bounding_box(shape.points.begin(), shape.points.end());
+  const double scale = std::sqrt(CGAL::squared_distance((box.min)(), (box.max)()));
   const auto elements = elements_of_parts(labels, number_of_parts);
+  const std::vector<Closed_part> closed =
+      shape.is_mesh() ? closed_parts(shape, labels, number_of_parts) : std::vector<Closed_part>();
+  std::vector<Solid_part> parts;
+  for (const Closed_part& part : closed) parts.emplace_back(part.shape);
+  Part_hulls result;
+  std::vector<Draft> drafts;
   for (std::size_t label = 0; label < number_of_parts; ++label)
   {
-    const std::vector<Point> points = shape_of_elements(shape, elements[label]).points;
-    if (is_flat(points))
-      hulls.flat_parts.push_back(static_cast<int>(label));
-    else
-      add_hull(points, static_cast<int>(label), hulls);
+    const Shape part = shape_of_elements(shape, elements[label]);
+    if (!has_hull(part.points))
+    {
+      result.flat_parts.push_back(static_cast<int>(label));
+      continue;
+    }
+    std::vector<Piece> pieces = {piece_of(part)};
+    if (is_divided) pieces = divided(pieces[0], parts[label], options.largest_error * scale);
+    for (Piece& piece : pieces)
+    {
+      drafts.push_back(draft_of(shape.is_mesh() ? points_of(piece) : part.points, label));
+      drafts.back().piece = std::move(piece);
+    }
   }
-  return hulls;
+  join_until(drafts, options.most_hulls);
+  for (const Draft& draft : drafts)
+    result.hulls.push_back(finished(draft, parts, scale, options.most_corners));
+  return result;
+}
+
+Shape mesh_of_hulls(const std::vector<Part_hull>& hulls)
+{
+  Shape mesh;
+  Property hull = {"hull", "int", {}};
+  for (std::size_t i = 0; i < hulls.size(); ++i)
+  {
+    const std::size_t first = mesh.points.size();
+    mesh.points.insert(mesh.points.end(), hulls[i].points.begin(), hulls[i].points.end());
+    for (auto triangle : hulls[i].triangles)
+    {
+      for (std::size_t& corner : triangle) corner += first;
+      mesh.polygons.push_back(std::move(triangle));
+      hull.values.push_back(static_cast<double>(i));
+    }
+  }
+  mesh.face_properties.push_back(std::move(hull));
+  return mesh;
 }
 
 } // namespace Shape_io

@@ -7,6 +7,7 @@
 #include <limits>
 #include <locale>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace Shape_io {
@@ -80,10 +81,10 @@ Shape shape_of_elements(const Shape& shape, const std::vector<std::size_t>& elem
 
 namespace {
 
-void write_obj_group(std::ostream& out, const Shape& shape, const std::size_t label,
+void write_obj_group(std::ostream& out, const Shape& shape, const std::string& name,
                      const std::vector<std::size_t>& elements)
 {
-  out << "g part_" << label << '\n';
+  out << "g " << name << '\n';
   for (const std::size_t i : elements)
     if (shape.is_mesh())
     {
@@ -102,17 +103,17 @@ void write_obj_group(std::ostream& out, const Shape& shape, const std::size_t la
 } // namespace
 
 void write_obj_groups(std::ostream& out, const Shape& shape, const std::vector<int>& labels,
-                      const std::size_t number_of_parts)
+                      const std::size_t number_of_parts, const std::string& kind)
 {
   out.imbue(std::locale::classic());
   out.precision(std::numeric_limits<double>::max_digits10);
-  out << "# parts of a weakly convex segmentation\n";
+  out << "# " << comment_of_parts << '\n';
   for (const Point& p : shape.points) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   for (const Vector& n : shape.normals)
     out << "vn " << n.x() << ' ' << n.y() << ' ' << n.z() << '\n';
   const auto elements = elements_of_parts(labels, number_of_parts);
   for (std::size_t label = 0; label < elements.size() && out; ++label)
-    write_obj_group(out, shape, label, elements[label]);
+    write_obj_group(out, shape, kind + "_" + std::to_string(label), elements[label]);
 }
 
 } // namespace Shape_io

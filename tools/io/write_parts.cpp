@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <ios>
 #include <iterator>
 #include <limits>
 #include <locale>
@@ -270,6 +272,16 @@ std::string renamed_properties(const Shape& shape)
   std::string list;
   for (const std::string& words : renamed) list += (list.empty() ? "" : ", ") + words;
   return list;
+}
+
+bool is_written_by_us(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string first, format, comment;
+  if (!std::getline(file, first)) return false;
+  if (first == std::string("# ") + comment_of_parts) return true;
+  return first == "ply" && std::getline(file, format) && std::getline(file, comment) &&
+         comment == std::string("comment ") + comment_of_parts;
 }
 
 void write_labels(std::ostream& out, const std::vector<int>& labels)

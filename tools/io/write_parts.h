@@ -58,6 +58,9 @@ void write_parts(std::ostream& out, const Shape& shape, const Parts& parts,
 // input_label" and so on; empty if there are none.
 std::string renamed_properties(const Shape& shape);
 
+// Whether the file is one of the PLY or OBJ files that are written here, by its head.
+bool is_written_by_us(const std::string& path);
+
 // Writes one label a line, in the order of the input.
 void write_labels(std::ostream& out, const std::vector<int>& labels);
 

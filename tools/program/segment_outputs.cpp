@@ -3,25 +3,41 @@
 
 #include "program/segment_outputs.h"
 
+#include "io/closed_parts.h"
 #include "io/part_hulls.h"
 #include "io/separate_parts.h"
 #include "io/shape_io.h"
 #include "program/interruption.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <iostream>
+#include <iomanip>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Segment_shape {
 
 namespace {
 
-// The parts of the hulls have the colors of the parts.
-Shape_io::Parts parts_of_hulls(const Shape_io::Part_hulls& hulls, const Shape_io::Parts& parts)
+// The properties of a part's own faces, 0 for those of its caps, and which these are.
+std::vector<Shape_io::Property> with_caps(std::vector<Shape_io::Property> properties,
+                                          const std::size_t number_of_own,
+                                          const std::size_t number_of_faces)
 {
-  return {hulls.labels, std::vector<double>(hulls.labels.size(), 1.), parts.colors};
+  for (Shape_io::Property& property : properties)
+    if (property.is_list())
+      property.first.resize(number_of_faces + 1, property.values.size());
+    else
+      property.values.resize(number_of_faces);
+  Shape_io::Property cap = {"cap", "uchar", std::vector<double>(number_of_own, 0.)};
+  cap.values.resize(number_of_faces, 1.);
+  for (Shape_io::Property& property : properties)
+    if (property.name == cap.name) property.name = "input_cap";
+  properties.push_back(std::move(cap));
+  return properties;
 }
 
 void write_shape(Shape_io::Atomic_file& file, const std::string& path, const Shape_io::Shape& shape,
@@ -34,14 +50,34 @@ void write_shape(Shape_io::Atomic_file& file, const std::string& path, const Sha
                           ascii ? Shape_io::Encoding::ASCII : Shape_io::Encoding::BINARY);
 }
 
+Shape_io::Parts parts_of_elements(const Shape_io::Parts& parts,
+                                  const std::vector<std::size_t>& elements)
+{
+  Shape_io::Parts own;
+  own.colors = parts.colors;
+  for (const std::size_t i : elements)
+  {
+    own.labels.push_back(parts.labels[i]);
+    own.quality.push_back(parts.quality[i]);
+  }
+  return own;
+}
+
+// What has no label is after the others.
+std::string name_of_part(const std::size_t label, const Shape_io::Parts& parts)
+{
+  return label < parts.colors.size() ? std::to_string(label) : "none";
+}
+
 } // namespace
 
 Outputs::Outputs(const Options& options)
   : m_options(options), m_parts(open(options.parts_file)), m_labels(open(options.labels_file)),
-    m_stats(open(options.stats_file)), m_hulls(open(options.hulls_file)),
+    m_stats(open(options.stats_file)), m_hulls(open(has_hull_folder(options) ? "" : options.hulls)),
     m_view(open(options.view_file))
 {
-  if (!options.split_folder.empty()) m_folder.emplace(options.split_folder);
+  if (!options.split_folder.empty()) m_folder.emplace(options.split_folder, "part");
+  if (has_hull_folder(options)) m_hull_folder.emplace(options.hulls, "hull");
 }
 
 void Outputs::write(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
@@ -49,8 +85,11 @@ void Outputs::write(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
   if (m_parts) write_shape(*m_parts, m_options.parts_file, shape, parts, m_options.ascii);
   Program_errors::Interruption::check(); // a large shape takes seconds a file
   if (m_labels) Shape_io::write_labels(m_labels->stream(), parts.labels);
-  if (m_hulls) write_hulls(shape, parts);
-  if (m_folder) write_separate_parts(shape, parts);
+  if (m_hulls || m_hull_folder) write_hulls(shape, parts);
+  if (m_folder && m_options.is_closed)
+    write_closed_parts(shape, parts);
+  else if (m_folder)
+    write_separate_parts(shape, parts);
 }
 
 void Outputs::write_stats(const Shape_io::Shape& shape, const Run& run)
@@ -75,6 +114,7 @@ void Outputs::commit()
   Program_errors::Interruption::check();
   for (const auto& file : m_files) file->commit();
   if (m_folder) m_folder->commit();
+  if (m_hull_folder) m_hull_folder->commit();
 }
 
 Outputs::File Outputs::open(const std::string& path)
@@ -86,41 +126,97 @@ Outputs::File Outputs::open(const std::string& path)
 
 void Outputs::write_hulls(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
 {
-  const auto hulls = Shape_io::part_hulls(shape, parts.labels, parts.colors.size());
-  if (!hulls.flat_parts.empty() && !m_options.quiet)
-    std::cerr << "segment_shape: " << hulls.flat_parts.size()
-              << " parts are flat and have no hull\n";
-  write_shape(*m_hulls, m_options.hulls_file, hulls.shape, parts_of_hulls(hulls, parts),
-              m_options.ascii);
+  const auto result =
+      Shape_io::part_hulls(shape, parts.labels, parts.colors.size(), m_options.hull_options);
+  note_hulls(shape, result);
+  Program_errors::Interruption::check();
+  if (m_hull_folder)
+    for (std::size_t i = 0; i < result.hulls.size(); ++i)
+    {
+      const File file = open(m_hull_folder->path_of(std::to_string(i), ".obj"));
+      const Shape_io::Shape hull = Shape_io::mesh_of_hulls({result.hulls[i]});
+      Shape_io::write_obj_groups(file->stream(), hull, std::vector<int>(hull.polygons.size(), 0), 1,
+                                 "part_" + std::to_string(result.hulls[i].label) + "_hull");
+      file->finish();
+    }
+  else
+    write_hull_file(result, parts);
 }
 
-void Outputs::write_separate_part(const Shape_io::Shape& shape, const Shape_io::Parts& parts,
-                                  const std::vector<std::size_t>& elements, const std::string& name)
+void Outputs::write_hull_file(const Shape_io::Part_hulls& hulls, const Shape_io::Parts& parts)
 {
-  Shape_io::Parts own;
-  own.colors = parts.colors;
-  for (const std::size_t i : elements)
+  const Shape_io::Shape mesh = Shape_io::mesh_of_hulls(hulls.hulls);
+  std::vector<int> hull_of_face, label_of_face;
+  for (const double hull : mesh.face_properties.front().values)
   {
-    own.labels.push_back(parts.labels[i]);
-    own.quality.push_back(parts.quality[i]);
+    hull_of_face.push_back(static_cast<int>(hull));
+    label_of_face.push_back(hulls.hulls[static_cast<std::size_t>(hull)].label);
   }
+  if (internal::is_obj_file(m_options.hulls))
+    Shape_io::write_obj_groups(m_hulls->stream(), mesh, hull_of_face, hulls.hulls.size(), "hull");
+  else
+    write_shape(*m_hulls, m_options.hulls, mesh,
+                {label_of_face, std::vector<double>(label_of_face.size(), 1.), parts.colors},
+                m_options.ascii);
+}
+
+void Outputs::note_hulls(const Shape_io::Shape& shape, const Shape_io::Part_hulls& result)
+{
+  std::ostringstream note;
+  note << result.hulls.size() << " hulls";
+  double error = 0.;
+  for (const auto& hull : result.hulls) error = (std::max)(error, hull.error);
+  if (shape.is_mesh())
+    note << ", none further from its part than " << std::setprecision(3) << error
+         << " of the diagonal";
+  if (!result.flat_parts.empty())
+    note << "; " << result.flat_parts.size() << " parts are flat and have none";
+  m_notes.push_back(note.str());
+}
+
+void Outputs::write_separate_part(const Shape_io::Shape& part, const Shape_io::Parts& own,
+                                  const std::string& name)
+{
   Program_errors::Interruption::check();
-  const std::string path = m_folder->path_of_part(name);
+  const std::string path = m_folder->path_of(name, ".ply");
   const File file = open(path);
-  write_shape(*file, path, Shape_io::shape_of_elements(shape, elements), own, m_options.ascii);
+  write_shape(*file, path, part, own, m_options.ascii);
   file->finish();
 }
 
 void Outputs::write_separate_parts(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
 {
-  const auto elements = Shape_io::elements_of_parts(parts.labels, parts.colors.size());
+  std::vector<int> labels = parts.labels;
+  const auto none = static_cast<int>(parts.colors.size());
+  std::replace(labels.begin(), labels.end(), -1, none);
+  const auto elements = Shape_io::elements_of_parts(labels, parts.colors.size() + 1);
   for (std::size_t label = 0; label < elements.size(); ++label)
     if (!elements[label].empty())
-      write_separate_part(shape, parts, elements[label], std::to_string(label));
-  std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < parts.labels.size(); ++i)
-    if (parts.labels[i] < 0) others.push_back(i);
-  if (!others.empty()) write_separate_part(shape, parts, others, "none");
+      write_separate_part(Shape_io::shape_of_elements(shape, elements[label]),
+                          parts_of_elements(parts, elements[label]), name_of_part(label, parts));
+}
+
+void Outputs::write_closed_parts(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
+{
+  auto solids = Shape_io::closed_parts(shape, parts.labels, parts.colors.size());
+  std::size_t number_of_faults = 0;
+  for (std::size_t label = 0; label < solids.size(); ++label)
+  {
+    Shape_io::Closed_part& solid = solids[label];
+    const std::size_t n = solid.shape.polygons.size();
+    if (n == 0) continue;
+    const auto properties = Shape_io::shape_of_elements(shape, solid.source_faces).face_properties;
+    solid.shape.face_properties = with_caps(properties, solid.source_faces.size(), n);
+    Shape_io::Parts own = parts_of_elements(parts, solid.source_faces);
+    own.labels.resize(n, own.labels.front());
+    own.quality.resize(n, own.quality.front());
+    write_separate_part(solid.shape, own, name_of_part(label, parts));
+    if (solid.fault.empty()) continue;
+    ++number_of_faults;
+    m_notes.push_back("part " + name_of_part(label, parts) + " is no closed solid: " + solid.fault);
+  }
+  m_notes.push_back(std::to_string(solids.size() - number_of_faults) + " of " +
+                    std::to_string(solids.size()) + " parts are closed solids");
 }
 
 } // namespace Segment_shape

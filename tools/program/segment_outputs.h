@@ -5,6 +5,7 @@
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_SEGMENT_OUTPUTS_H
 
 #include "io/atomic_file.h"
+#include "io/part_hulls.h"
 #include "io/shape.h"
 #include "io/write_parts.h"
 #include "program/segment_options.h"
@@ -31,6 +32,9 @@ public:
 
   void write(const Shape_io::Shape& shape, const Shape_io::Parts& parts);
 
+  // What people are to know of what was written, a line each.
+  const std::vector<std::string>& notes() const { return m_notes; }
+
   void write_stats(const Shape_io::Shape& shape, const Run& run);
 
   // `page` is there if a page is asked for.
@@ -49,17 +53,22 @@ private:
   File open(const std::string& path);
 
   void write_hulls(const Shape_io::Shape& shape, const Shape_io::Parts& parts);
+  void write_hull_file(const Shape_io::Part_hulls& hulls, const Shape_io::Parts& parts);
+  void note_hulls(const Shape_io::Shape& shape, const Shape_io::Part_hulls& result);
 
-  void write_separate_part(const Shape_io::Shape& shape, const Shape_io::Parts& parts,
-                           const std::vector<std::size_t>& elements, const std::string& name);
+  void write_separate_part(const Shape_io::Shape& part, const Shape_io::Parts& own,
+                           const std::string& name);
 
   // What has no label is in a file of its own: no point is lost.
   void write_separate_parts(const Shape_io::Shape& shape, const Shape_io::Parts& parts);
 
+  void write_closed_parts(const Shape_io::Shape& shape, const Shape_io::Parts& parts);
+
   const Options& m_options;
-  std::optional<Split_folder> m_folder; // before the files, which lie in it
+  std::optional<Split_folder> m_folder, m_hull_folder; // before the files, which lie in them
   std::vector<std::unique_ptr<Shape_io::Atomic_file>> m_files;
   File m_parts, m_labels, m_stats, m_hulls, m_view;
+  std::vector<std::string> m_notes;
 };
 
 } // namespace Segment_shape

@@ -6,6 +6,8 @@
 
 // The parameters of the method by name, for command lines: from the one table in Parameters.h.
 
+#include "program/command_line.h"
+
 #include <CGAL/Weakly_convex_segmentation/Parameters.h>
 
 #include <cstddef>
@@ -138,10 +140,13 @@ inline void set_parameter(Parameters& parameters, const std::string& assignment)
       }
   };
   CGAL::Weakly_convex_segmentation::internal::for_each_parameter(parameters, visit);
-  if (!is_known)
-    throw std::invalid_argument("'" + assignment +
-                                "' does not set a parameter; give NAME=VALUE, or NAME=VALUE,VALUE "
-                                "for a vector, with a name from Parameters.h");
+  if (is_known) return;
+  std::vector<std::string> names;
+  for (const Knob& knob : knobs()) names.push_back(knob.name);
+  throw std::invalid_argument("'" + assignment +
+                              "' does not set a parameter; give NAME=VALUE, or NAME=VALUE,VALUE "
+                              "for a vector, with a name from Parameters.h" +
+                              Command_line::suggestion(name, names));
 }
 
 } // namespace Named_parameters
