@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(quiet_prints_nothing)
 BOOST_AUTO_TEST_CASE(without_an_output_the_parts_are_named_after_the_input)
 {
   const Scratch_folder folder;
-  folder.write("scan.off", off());
+  folder.write("scan.off", off_or_obj(true));
   check_success(segment_shape(folder, {"scan.off"}));
   BOOST_TEST(folder.has("scan_parts.ply"));
   check_success(segment_shape(folder, {"scan.off"})); // again, over its own
