@@ -5,8 +5,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <locale>
-#include <ostream>
 #include <vector>
 
 namespace Shape_io {
@@ -75,44 +73,9 @@ Shape shape_of_elements(const Shape& shape, const std::vector<std::size_t>& elem
     if (!shape.normals.empty()) part.normals.push_back(shape.normals[i]);
   }
   part.point_properties = chosen_values(shape.point_properties, points);
+  part.face_words = shape.face_words;
+  part.material_files = shape.material_files;
   return part;
-}
-
-namespace {
-
-void write_obj_group(std::ostream& out, const Shape& shape, const std::size_t label,
-                     const std::vector<std::size_t>& elements)
-{
-  out << "g part_" << label << '\n';
-  for (const std::size_t i : elements)
-    if (shape.is_mesh())
-    {
-      out << 'f';
-      for (const std::size_t corner : shape.polygons[i])
-      {
-        out << ' ' << corner + 1;
-        if (!shape.normals.empty()) out << "//" << corner + 1;
-      }
-      out << '\n';
-    }
-    else
-      out << "p " << i + 1 << '\n';
-}
-
-} // namespace
-
-void write_obj_groups(std::ostream& out, const Shape& shape, const std::vector<int>& labels,
-                      const std::size_t number_of_parts)
-{
-  out.imbue(std::locale::classic());
-  out.precision(std::numeric_limits<double>::max_digits10);
-  out << "# parts of a weakly convex segmentation\n";
-  for (const Point& p : shape.points) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-  for (const Vector& n : shape.normals)
-    out << "vn " << n.x() << ' ' << n.y() << ' ' << n.z() << '\n';
-  const auto elements = elements_of_parts(labels, number_of_parts);
-  for (std::size_t label = 0; label < elements.size() && out; ++label)
-    write_obj_group(out, shape, label, elements[label]);
 }
 
 } // namespace Shape_io

@@ -6,6 +6,7 @@
 #include "io/part_hulls.h"
 #include "io/separate_parts.h"
 #include "io/shape_io.h"
+#include "io/write_obj.h"
 #include "program/interruption.h"
 
 #include <cstddef>
@@ -105,7 +106,8 @@ void Outputs::write_separate_part(const Shape_io::Shape& shape, const Shape_io::
     own.quality.push_back(parts.quality[i]);
   }
   Program_errors::Interruption::check();
-  const std::string path = m_folder->path_of_part(name);
+  // OBJ keeps the most of what has materials: no other format of ours names their files
+  const std::string path = m_folder->path_of_part(name, shape.is_textured_obj ? ".obj" : ".ply");
   const File file = open(path);
   write_shape(*file, path, Shape_io::shape_of_elements(shape, elements), own, m_options.ascii);
   file->finish();

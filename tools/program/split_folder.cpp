@@ -29,9 +29,9 @@ Split_folder::Split_folder(const std::string& path) : m_folder(path)
   }
 }
 
-std::string Split_folder::path_of_part(const std::string& name)
+std::string Split_folder::path_of_part(const std::string& name, const std::string& extension)
 {
-  const std::string path = m_folder.path_of("part_" + name + ".ply");
+  const std::string path = m_folder.path_of("part_" + name + extension);
   m_earlier.erase(path);
   return path;
 }
@@ -64,9 +64,9 @@ void Split_folder::check_no_part(const std::string& folder, const std::vector<st
 
 bool Split_folder::is_name_of_part(const std::string& name)
 {
-  if (name.size() < 10 || name.compare(0, 5, "part_") != 0 ||
-      name.compare(name.size() - 4, 4, ".ply") != 0)
-    return false;
+  if (name.size() < 10 || name.compare(0, 5, "part_") != 0) return false;
+  const std::string extension = name.substr(name.size() - 4);
+  if (extension != ".ply" && extension != ".obj") return false;
   const std::string number = name.substr(5, name.size() - 9);
   return number == "none" || number.find_first_not_of("0123456789") == std::string::npos;
 }
@@ -77,6 +77,8 @@ bool Split_folder::is_written_by_us(const std::filesystem::directory_entry& entr
   if (entry.is_symlink(error) || !entry.is_regular_file(error)) return false;
   std::ifstream file(entry.path(), std::ios::binary);
   std::string ply, format, comment;
+  if (entry.path().extension() == ".obj")
+    return std::getline(file, comment) && comment == std::string("# ") + Shape_io::comment_of_parts;
   return std::getline(file, ply) && std::getline(file, format) && std::getline(file, comment) &&
          ply == "ply" && comment == std::string("comment ") + Shape_io::comment_of_parts;
 }

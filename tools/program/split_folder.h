@@ -21,11 +21,11 @@ class Split_folder
 {
 public:
   // Throws File_error if there can't be such a folder, or if it has a file of a part's name that
-  // write_parts() has not written: that is somebody's own.
+  // we have not written: that is somebody's own.
   explicit Split_folder(const std::string& path);
 
-  // The file of a part, "0", "1", ..., or of what is in none, "none".
-  std::string path_of_part(const std::string& name);
+  // The file of a part, "0", "1", ..., or of what is in none, "none"; the extension is ".ply" or ".obj".
+  std::string path_of_part(const std::string& name, const std::string& extension);
 
   void commit();
 
