@@ -185,9 +185,9 @@ bool is_ply_line(const std::vector<std::string_view>& words, const Ply_element& 
 }
 
 // Texts have one element a line, but no reader relies on it: one number too many is found when all others have gone
-// wrong. Returns which line is the first that does not hold its element, or, if none is, where the cursor was.
-std::string ply_line_of_fault(const std::string& bytes, const Ply_header& header,
-                              const Ply_cursor& cursor)
+// wrong. Tells which line is the first that does not hold its element, or, if none is, where the cursor was.
+std::string ply_fault(const std::string& bytes, const Ply_header& header, const Ply_cursor& cursor,
+                      const std::string& what)
 {
   const auto number_of_lines = [&](const std::size_t end)
   {
@@ -202,10 +202,10 @@ std::string ply_line_of_fault(const std::string& bytes, const Ply_header& header
       if (!is_ply_line(lines.words(), element))
         return "line " + std::to_string(lines_of_header + lines.line_number()) + " has " +
                std::to_string(lines.words().size()) +
-               " numbers, which are not those that the header tells for '" + shown(element.name) +
-               "': ";
+               " numbers, more or fewer than its header tells for '" + shown(element.name) +
+               "'; check the file or export the shape again";
   const std::size_t position = bytes.size() - cursor.number_of_bytes_left();
-  return "line " + std::to_string(number_of_lines(position) + 1) + ": ";
+  return "line " + std::to_string(number_of_lines(position) + 1) + ": " + what;
 }
 
 // Takes the named columns out of the others; returns false if one is missing.
@@ -291,7 +291,7 @@ void read_ply(const std::string& bytes, Shape& shape)
   catch (const Ply_body_error& error)
   {
     if (header.format != Ply_format::ASCII) throw;
-    throw std::runtime_error(ply_line_of_fault(bytes, header, cursor) + error.what());
+    throw std::runtime_error(ply_fault(bytes, header, cursor, error.what()));
   }
 }
 

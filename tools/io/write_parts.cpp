@@ -228,7 +228,8 @@ void write_faces(std::ostream& out, Ply_writer& writer, const Shape& shape, cons
   }
 }
 
-// What the numbers of the property of that name stand for, and the files of the materials: PLY has no other place.
+// What the numbers of the properties of those names stand for, and the files of the materials: PLY has no other
+// place.
 void write_words(std::ostream& out, const Shape& shape)
 {
   for (const std::string& file : shape.material_files) out << "comment mtllib " << file << '\n';

@@ -5,13 +5,16 @@
 
 #include "io/text_lines.h"
 #include "scenes/flatten_scene.h"
+#include "scenes/survives.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/MemoryIOWrapper.h>
+#include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -26,6 +29,26 @@ namespace Scenes {
 
 namespace {
 
+// A name in a glTF file may have %20 for a blank.
+std::string decoded(const std::string& name)
+{
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i)
+  {
+    unsigned char code = 0;
+    const char* const digits = name.data() + i + 1;
+    if (name[i] == '%' && i + 2 < name.size() &&
+        std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2)
+    {
+      result += static_cast<char>(code);
+      i += 2;
+    }
+    else
+      result += name[i];
+  }
+  return result;
+}
+
 // The file itself is in memory, as it may have come through a pipe or compressed; the others lie in its folder.
 class Scene_files : public Assimp::DefaultIOSystem
 {
@@ -36,8 +59,7 @@ public:
 
   bool Exists(const char* const name) const override
   {
-    std::error_code error;
-    return name == m_name || (m_has_others && std::filesystem::is_regular_file(name, error));
+    return name == m_name || !path_of(name).empty();
   }
 
   Assimp::IOStream* Open(const char* const name, const char* const mode) override
@@ -45,10 +67,20 @@ public:
     if (name == m_name)
       return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(m_bytes.data()),
                                         m_bytes.size());
-    return Exists(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+    const std::string path = path_of(name);
+    return path.empty() ? nullptr : DefaultIOSystem::Open(path.c_str(), mode);
   }
 
 private:
+  // Empty: there is no such file.
+  std::string path_of(const std::string& name) const
+  {
+    std::error_code error;
+    for (const std::string& path : {name, decoded(name)})
+      if (m_has_others && std::filesystem::is_regular_file(path, error)) return path;
+    return "";
+  }
+
   const std::string& m_bytes;
   std::string m_name;
   bool m_has_others;
@@ -102,6 +134,34 @@ std::size_t number_of_3mf_models(const std::string& bytes)
   return number;
 }
 
+// assimp turns the lengths of DAE files into meters.
+void note_unit(const std::string& bytes, Shape_io::Shape& shape)
+{
+  const std::size_t unit = bytes.find("<unit");
+  const std::string tag =
+      unit == std::string::npos ? "" : bytes.substr(unit, bytes.find('>', unit) - unit);
+  const std::size_t meter = tag.find("meter=");
+  if (meter == std::string::npos) return;
+  const std::string text = tag.substr(meter + 7);
+  double number = 1.;
+  if (Shape_io::internal::is_number(text.substr(0, text.find_first_of("\"'")), number) &&
+      number != 1.)
+    shape.notes.push_back("the lengths are in meters; the file has units of " +
+                          Shape_io::internal::shown(text.substr(0, text.find_first_of("\"'"))) +
+                          " m");
+}
+
+const aiScene* imported(Assimp::Importer& importer, const std::string& bytes,
+                        const std::string& extension, const std::string& folder)
+{
+  const std::string name = (folder.empty() ? "" : folder + '/') + "shape" + extension;
+  keep_only(importer, extension);
+  // the coordinates are to be those of the file: DAE tells which axis is up, and assimp would turn it
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetIOHandler(new Scene_files(bytes, name, !folder.empty())); // the importer deletes it
+  return importer.ReadFile(name, 0);
+}
+
 } // namespace
 
 void import_scene(const std::string& bytes, const std::string& extension, const std::string& folder,
@@ -111,15 +171,20 @@ void import_scene(const std::string& bytes, const std::string& extension, const 
     throw std::runtime_error(
         "its objects are in several models (the production extension of 3MF), which are "
         "not read; export it without that, or as STL, PLY or OBJ");
-  const std::string name = (folder.empty() ? "" : folder + '/') + "shape" + extension;
+  // damaged files bring assimp to crash, such as a 3MF object that is a component of itself
+  const auto import_only = [&]
+  {
+    Assimp::Importer importer;
+    imported(importer, bytes, extension, folder);
+  };
+  if (!survives(import_only))
+    throw std::runtime_error(
+        "it is not sound (assimp crashes on it); check it or export the shape again");
   Assimp::Importer importer;
-  keep_only(importer, extension);
-  // the coordinates are to be those of the file: DAE tells which axis is up, and assimp would turn it
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetIOHandler(new Scene_files(bytes, name, !folder.empty())); // the importer deletes it
-  const aiScene* const scene = importer.ReadFile(name, 0);
+  const aiScene* const scene = imported(importer, bytes, extension, folder);
   if (!scene || !scene->mRootNode) refuse(importer);
   flatten_scene(*scene, shape);
+  if (extension == ".dae") note_unit(bytes, shape);
 }
 
 } // namespace Scenes
