@@ -171,15 +171,18 @@ void import_scene(const std::string& bytes, const std::string& extension, const 
     throw std::runtime_error(
         "its objects are in several models (the production extension of 3MF), which are "
         "not read; export it without that, or as STL, PLY or OBJ");
-  // damaged files bring assimp to crash, such as a 3MF object that is a component of itself
+  // damaged files bring assimp to crash, such as a 3MF object that is a component of itself, or into endless loops;
+  // sound ones take less than a second a megabyte
   const auto import_only = [&]
   {
     Assimp::Importer importer;
     imported(importer, bytes, extension, folder);
   };
-  if (!survives(import_only))
+  const auto megabytes = static_cast<unsigned int>(bytes.size() >> 20);
+  if (!survives(import_only, 10 + 5 * megabytes))
     throw std::runtime_error(
-        "it is not sound (assimp crashes on it); check it or export the shape again");
+        "it is not sound (assimp crashes on it, or does not come to an end); check it or export "
+        "the shape again");
   Assimp::Importer importer;
   const aiScene* const scene = imported(importer, bytes, extension, folder);
   if (!scene || !scene->mRootNode) refuse(importer);

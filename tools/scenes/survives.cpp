@@ -17,7 +17,7 @@ namespace Scenes {
 
 namespace {
 
-[[noreturn]] void work_as_child(const std::function<void()>& work)
+[[noreturn]] void work_as_child(const std::function<void()>& work, const unsigned int seconds)
 {
   // nothing is to be seen of it, nor of what the caller had not printed yet
   const int nowhere = open("/dev/null", O_WRONLY);
@@ -25,6 +25,8 @@ namespace {
   // a crash is to be one, without a file of the memory and without the handlers of who called
   const rlimit none = {0, 0};
   setrlimit(RLIMIT_CORE, &none);
+  const rlimit time = {seconds, seconds + 1};
+  setrlimit(RLIMIT_CPU, &time);
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGINT, SIGTERM})
     std::signal(number, SIG_DFL);
   try
@@ -38,10 +40,10 @@ namespace {
 
 } // namespace
 
-bool survives(const std::function<void()>& work)
+bool survives(const std::function<void()>& work, const unsigned int seconds)
 {
   const pid_t child = fork();
-  if (child == 0) work_as_child(work);
+  if (child == 0) work_as_child(work, seconds);
   if (child < 0) return true;
   int status = 0;
   while (waitpid(child, &status, 0) < 0)

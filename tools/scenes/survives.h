@@ -8,9 +8,10 @@
 
 namespace Scenes {
 
-// Does the work in a process of its own, to see whether it comes to its end or crashes. What it throws, too, is an end.
-// Nothing of it is left. Where no process can be made it is taken to survive.
-bool survives(const std::function<void()>& work);
+// Does the work in a process of its own, to see whether it comes to its end within so many seconds of computing, or
+// crashes, or goes on. What it throws, too, is an end. Nothing of it is left. Where no process can be made it is
+// taken to survive.
+bool survives(const std::function<void()>& work, unsigned int seconds);
 
 } // namespace Scenes
 
