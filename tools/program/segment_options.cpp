@@ -52,8 +52,8 @@ po::options_description described_options(Options& options, Numbers& numbers)
   add("stats", po::value(&options.stats_file)->value_name("STATS.json"),
       "write counts, seconds and the numbers of each part as JSON");
   add("split", po::value(&options.split_folder)->value_name("FOLDER"),
-      "write each part as a file of its own, FOLDER/part_0.ply and so on (.obj if INPUT is OBJ with "
-      "materials or texture coordinates), in place of those of an earlier run");
+      "write each part as a file of its own, FOLDER/part_0.ply and so on (.obj if INPUT is OBJ "
+      "with materials or texture coordinates), in place of those of an earlier run");
   add("hulls", po::value(&options.hulls_file)->value_name("HULLS.ply"),
       "write the convex hulls of the parts as one mesh, PLY or OBJ (groups); flat parts have none");
   add("view", po::value(&options.view_file)->value_name("PARTS.html"),
@@ -248,8 +248,9 @@ void print_help(std::ostream& out)
   out << "Usage: segment_shape [INPUT] [OPTIONS]\n\n"
          "Segments a mesh (OFF, PLY, OBJ, STL, glTF, GLB, 3MF, DAE, FBX) or a cloud of points "
          "(PLY, PCD,\n"
-         "XYZ, PWN, TXT, ASC, CSV, PTS, OFF, OBJ, glTF), also compressed (.gz), into weakly convex parts. Without INPUT it segments a shape of its own "
-         "and,\n"
+         "XYZ, PWN, TXT, ASC, CSV, PTS, OFF, OBJ, glTF), also compressed (.gz), into weakly "
+         "convex parts.\n"
+         "Without INPUT it segments a shape of its own and,\n"
          "unless told otherwise, writes parts.ply. The name - is standard input or output. Pixels "
          "of\n"
          "a depth camera without a measurement (NaN; 0 0 0 repeated in an organized PCD or PLY) "
