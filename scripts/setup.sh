@@ -7,7 +7,8 @@
 #   scripts/setup.sh [GROUP...]      groups: build picture test doc report pcl view;
 #                                  without any: build test
 #
-# build: compiler and libraries; picture: the viewer of scripts/demo; test: what scripts/test needs
+# build: compiler and libraries, among them two that only read files (glTF, 3MF, DAE, FBX and .gz; 31 MB,
+# may be missing); picture: the viewer of scripts/demo; test: what scripts/test needs
 # besides; doc: the tool that makes the manual; report: what scripts/report, scripts/scan_report and
 # scripts/reproduce_paper draw with; pcl: a library whose methods the benchmark compares with (large);
 # view: npm, with which the page of segment_shape --view is made, and a browser that tests it.
@@ -15,7 +16,7 @@
 set -euo pipefail
 
 build=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libeigen3-dev
-       libspectra-dev libtbb-dev nlohmann-json3-dev)
+       libspectra-dev libtbb-dev nlohmann-json3-dev libassimp-dev libboost-iostreams-dev)
 picture=(f3d xvfb xauth)
 test=(libbenchmark-dev clang-14 clang-format-14 python3)
 doc=(doxygen)

@@ -184,6 +184,25 @@ void write_cut(Segment_shape::Outputs& outputs, const std::optional<Segment_shap
   if (page) write_view(outputs, page, cut.shape, parts_of_cut, run);
 }
 
+// OBJ names the files of its materials relative to itself.
+void print_material_files(std::ostream& out, const Options& options, const Shape& written)
+{
+  if (written.material_files.empty()) return;
+  namespace fs = std::filesystem;
+  const auto folder_of = [](const std::string& file)
+  { return fs::absolute(fs::path(file)).lexically_normal().parent_path(); };
+  const std::string& read = options.dense_file.empty() ? options.input : options.dense_file;
+  std::vector<fs::path> folders;
+  if (Segment_shape::internal::is_obj_file(options.parts_file))
+    folders.push_back(folder_of(options.parts_file));
+  if (!options.split_folder.empty()) folders.push_back(folder_of(options.split_folder + "/part"));
+  for (const fs::path& folder : folders)
+    if (read == "-" || folder != folder_of(read))
+      for (const std::string& file : written.material_files)
+        out << "note: for its materials '" << Program_errors::one_line(file) << "' must lie in "
+            << folder.string() << '\n';
+}
+
 void print_files(std::ostream& out, const Options& options, const Shape& written)
 {
   for (const std::string& file : Segment_shape::output_files(options))
@@ -193,6 +212,7 @@ void print_files(std::ostream& out, const Options& options, const Shape& written
   const std::string renamed = Shape_io::renamed_properties(written);
   if (!renamed.empty() && !(options.parts_file.empty() && options.split_folder.empty()))
     out << "kept " << renamed << '\n';
+  print_material_files(out, options, written);
 }
 
 std::string name_of_input(const Options& options)

@@ -106,9 +106,11 @@ BOOST_AUTO_TEST_CASE(tables_have_columns_of_many_kinds)
 BOOST_AUTO_TEST_CASE(obj_files_of_every_kind)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\n";
+  const std::string tables =
+      "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nvn 0 0 1\n";
   const std::vector<std::pair<std::string, Polygons>> files = {
       {points + "f -4 -3 -2\nf 2 4 3\n", {{0, 1, 2}, {1, 3, 2}}},
-      {points + "g a b\ns off\nf 1//1 2/2 4/4/4 3\n", {{0, 1, 3, 2}}},
+      {points + tables + "g a b\ns off\nf 1//1 2/2 4/4/4 3\n", {{0, 1, 3, 2}}},
       {points + "f 1 2 \\\r\n 4 3\r\n", {{0, 1, 3, 2}}},
       {"v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nf 1 2 3\nv 0 1 0\nv 1 1 .5\nl 1 2\np 1\n", {{0, 1, 2}}},
       {points, {}}};

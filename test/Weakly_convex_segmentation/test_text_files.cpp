@@ -183,6 +183,26 @@ BOOST_AUTO_TEST_CASE(a_head_with_returns_or_without_blanks)
   BOOST_TEST(glued.polygons.size() == 1u);
 }
 
+// A number too many or too few is found far behind its line.
+BOOST_AUTO_TEST_CASE(lines_of_ply_files_are_named)
+{
+  const auto ply = [](const std::string& second, const std::string& face)
+  {
+    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+           "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+           "0 0 0\n" +
+           second + "\n0 1 0\n" + face + "\n";
+  };
+  BOOST_TEST(refusal("t.ply", ply("1 0 0", "3 0 1 2")) == "");
+  for (const std::string second : {"1 0 0 7", "1 0"})
+    BOOST_TEST(refusal("t.ply", ply(second, "3 0 1 2")).find("line 11 has ") != std::string::npos);
+  for (const std::string face : {"3 0 1 2 7", "3 0 1"})
+    BOOST_TEST(refusal("t.ply", ply("1 0 0", face)).find("line 13 has ") != std::string::npos);
+  BOOST_TEST(refusal("t.ply", ply("1 x 0", "3 0 1 2")).find("line 11: 'x'") != std::string::npos);
+  BOOST_TEST(refusal("t.ply", ply("1 0 0", "3 0 1.5 2")).find("line 13: 1.5") != std::string::npos);
+  BOOST_TEST(refusal("t.ply", ply("1 0\n0", "3 0\n1 2")) == ""); // no reader relies on lines
+}
+
 BOOST_AUTO_TEST_CASE(messages_are_of_plain_text)
 {
   for (const std::string text : {"ply\nformat \xff\xfe\x80 1.0\n", "ply\n\xdb\xbd\x01\n"})

@@ -157,6 +157,9 @@ Cut_shape cut_shape(const Shape& shape, const Parts& parts)
   result.shape.point_properties = shape.point_properties;
   for (Property& property : result.shape.point_properties) add_values_at(cut.origins, property);
   result.shape.face_properties = properties_of_pieces(shape, cut);
+  result.shape.face_words = shape.face_words;
+  result.shape.material_files = shape.material_files;
+  result.shape.is_textured_obj = shape.is_textured_obj;
   result.parts.labels = cut.labels;
   for (const std::size_t face : cut.source_faces)
     result.parts.quality.push_back(parts.quality[face]);

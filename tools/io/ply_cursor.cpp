@@ -78,7 +78,7 @@ std::size_t Ply_cursor::list_size(const Ply_type type)
   const double size = number(type);
   if (!(size >= 0. && size <= static_cast<double>(number_of_bytes_left())) ||
       size != std::floor(size))
-    throw std::runtime_error(
+    throw Ply_body_error(
         "a list is said to have " + std::to_string(size) +
         " entries, which is none or more than the file holds; export the shape again");
   return static_cast<std::size_t>(size);
@@ -87,12 +87,12 @@ std::size_t Ply_cursor::list_size(const Ply_type type)
 void Ply_cursor::check_end() const
 {
   if (m_format == Ply_format::ASCII && !std::all_of(m_next, m_end, is_space))
-    throw std::runtime_error("it holds more than its header tells; export the shape again");
+    throw Ply_body_error("it holds more than its header tells; export the shape again");
 }
 
 void Ply_cursor::ends_early()
 {
-  throw std::runtime_error("the file ends before its last element; copy or export it again");
+  throw Ply_body_error("the file ends before its last element; copy or export it again");
 }
 
 double Ply_cursor::text_number()
@@ -101,8 +101,11 @@ double Ply_cursor::text_number()
   if (m_next == m_end) ends_early();
   const char* last = m_next;
   while (last != m_end && !is_space(*last)) ++last;
-  const double result =
-      number_of(std::string_view(m_next, static_cast<std::size_t>(last - m_next)));
+  const std::string_view word(m_next, static_cast<std::size_t>(last - m_next));
+  double result = 0.;
+  if (!is_number(word, result))
+    throw Ply_body_error("'" + shown(word) +
+                         "' is not a number; check the file or export the shape again");
   m_next = last;
   return result;
 }
@@ -131,8 +134,8 @@ bool Ply_cursor::holds(const Ply_type type, const double value)
 double Ply_cursor::checked(const double value, const Ply_type type)
 {
   if (!holds(type, value))
-    throw std::runtime_error(std::to_string(value) + " is not a number of type " +
-                             ply_type_name(type) + "; check the file or export the shape again");
+    throw Ply_body_error(std::to_string(value) + " is not a number of type " + ply_type_name(type) +
+                         "; check the file or export the shape again");
   return value;
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 // The numbers in the body of a PLY file, one after the other, whatever the encoding.
@@ -40,6 +41,13 @@ const char* ply_type_name(Ply_type type);
 Ply_type ply_type(const std::string& name);
 
 bool host_is_big_endian();
+
+// What is wrong behind the header.
+class Ply_body_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 
 class Ply_cursor
 {

@@ -8,8 +8,9 @@
 
 #include <string>
 
-// OBJ: points, faces of any number of corners, negative indices. Groups, materials, lines and the like
-// are passed over. Not with CGAL's reader: that of 5.5.1 and 6.0.1 refuses files without faces
+// OBJ: points with colors, faces of any number of corners with texture coordinates and normals, the names of their
+// materials, objects, groups and smoothing groups; negative indices. A note tells what is left out, such as lines.
+// Not with CGAL's reader: that of 5.5.1 and 6.0.1 refuses files without faces
 // and takes faces with a corner beyond the last point; that of 5.5.1 also takes only the first of corners with
 // tabs between them, and no lines that go on in the next (test_cgal_faults).
 

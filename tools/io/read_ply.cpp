@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -169,6 +170,44 @@ std::vector<Property> read_ply_columns(Ply_cursor& cursor, const Ply_element& el
   return result;
 }
 
+// Whether the words of a line are the numbers of an element, neither more nor fewer.
+bool is_ply_line(const std::vector<std::string_view>& words, const Ply_element& element)
+{
+  std::size_t next = 0;
+  for (const Ply_property& property : element.properties)
+  {
+    double size = 1.;
+    if (property.is_list && (next >= words.size() || !is_number(words[next++], size))) return false;
+    if (!(size >= 0. && size <= static_cast<double>(words.size()))) return false;
+    next += static_cast<std::size_t>(size);
+  }
+  return next == words.size();
+}
+
+// Texts have one element a line, but no reader relies on it: one number too many is found when all others have gone
+// wrong. Tells which line is the first that does not hold its element, or, if none is, where the cursor was.
+std::string ply_fault(const std::string& bytes, const Ply_header& header, const Ply_cursor& cursor,
+                      const std::string& what)
+{
+  const auto number_of_lines = [&](const std::size_t end)
+  {
+    const auto last = bytes.begin() + static_cast<std::ptrdiff_t>(end);
+    return static_cast<std::size_t>(
+        (std::max)(std::count(bytes.begin(), last, '\r'), std::count(bytes.begin(), last, '\n')));
+  };
+  const std::size_t lines_of_header = number_of_lines(header.size);
+  Text_lines lines(std::string_view(bytes).substr(header.size));
+  for (const Ply_element& element : header.elements)
+    for (std::size_t i = 0; i < element.size && !element.properties.empty() && lines.next(); ++i)
+      if (!is_ply_line(lines.words(), element))
+        return "line " + std::to_string(lines_of_header + lines.line_number()) + " has " +
+               std::to_string(lines.words().size()) +
+               " numbers, more or fewer than its header tells for '" + shown(element.name) +
+               "'; check the file or export the shape again";
+  const std::size_t position = bytes.size() - cursor.number_of_bytes_left();
+  return "line " + std::to_string(number_of_lines(position) + 1) + ": " + what;
+}
+
 // Takes the named columns out of the others; returns false if one is missing.
 bool take_columns(std::vector<Property>& columns, const std::array<const char*, 3>& names,
                   std::array<std::vector<double>, 3>& taken)
@@ -207,11 +246,10 @@ void take_ply_points(std::vector<Property>&& columns, Shape& shape)
   shape.point_properties = std::move(columns);
 }
 
-void read_ply(const std::string& bytes, Shape& shape)
+namespace {
+
+void read_ply_elements(Ply_cursor& cursor, const Ply_header& header, Shape& shape)
 {
-  const Ply_header header = read_ply_header(bytes);
-  shape.is_of_parts = bytes.substr(0, header.size).find(comment_of_parts) != std::string::npos;
-  Ply_cursor cursor(bytes, header.size, header.format);
   std::set<std::string> names;
   for (const Ply_element& element : header.elements)
   {
@@ -237,6 +275,24 @@ void read_ply(const std::string& bytes, Shape& shape)
       throw std::runtime_error("it has triangle strips; export it with single triangles");
   }
   cursor.check_end();
+}
+
+} // namespace
+
+void read_ply(const std::string& bytes, Shape& shape)
+{
+  const Ply_header header = read_ply_header(bytes);
+  shape.is_of_parts = bytes.substr(0, header.size).find(comment_of_parts) != std::string::npos;
+  Ply_cursor cursor(bytes, header.size, header.format);
+  try
+  {
+    read_ply_elements(cursor, header, shape);
+  }
+  catch (const Ply_body_error& error)
+  {
+    if (header.format != Ply_format::ASCII) throw;
+    throw std::runtime_error(ply_fault(bytes, header, cursor, error.what()));
+  }
 }
 
 } // namespace internal

@@ -3,10 +3,12 @@
 
 #include "io/read_shape.h"
 
+#include "io/gunzip.h"
 #include "io/read_obj.h"
 #include "io/read_off.h"
 #include "io/read_pcd.h"
 #include "io/read_ply.h"
+#include "io/read_scene.h"
 #include "io/read_stl.h"
 #include "io/read_xyz.h"
 #include "io/text_lines.h"
@@ -20,6 +22,7 @@
 #include <fstream>
 #include <ios>
 #include <iostream>
+#include <iterator>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -32,20 +35,61 @@ namespace internal {
 
 namespace {
 
-Reader reader_for(const std::string& path)
+// nullptr: read_scene() reads it.
+constexpr std::pair<const char*, Reader> readers[] = {
+    {".off", read_off}, {".ply", read_ply}, {".obj", read_obj}, {".stl", read_stl},
+    {".gltf", nullptr}, {".glb", nullptr},  {".3mf", nullptr},  {".dae", nullptr},
+    {".fbx", nullptr},  {".pcd", read_pcd}, {".xyz", read_xyz}, {".pwn", read_pwn},
+    {".txt", read_xyz}, {".asc", read_xyz}, {".csv", read_xyz}, {".pts", read_pts}};
+
+// What the name of a file tells of its format.
+struct Format
 {
-  static const std::pair<const char*, Reader> readers[] = {
-      {".off", read_off}, {".ply", read_ply}, {".obj", read_obj}, {".stl", read_stl},
-      {".pcd", read_pcd}, {".xyz", read_xyz}, {".pwn", read_pwn}, {".txt", read_xyz},
-      {".asc", read_xyz}, {".csv", read_xyz}, {".pts", read_pts}};
-  std::string extension = std::filesystem::path(path).extension().string();
+  std::string extension; // in small letters; of the file that is compressed if it is one
+  Reader reader = nullptr;
+  bool is_compressed = false;
+};
+
+std::string small_extension(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+[[noreturn]] void refuse_extension(const std::string& extension)
+{
+  for (const char* const scan : {".las", ".laz", ".e57"})
+    if (extension == scan)
+      throw std::runtime_error("'" + extension +
+                               "' is not read, as no package of Debian 12 has a "
+                               "library for it; convert it to PLY, for instance with CloudCompare");
+  std::string list;
   for (const auto& reader : readers)
-    if (extension == reader.first) return reader.second;
+    list += (list.empty()                       ? ""
+             : &reader == std::end(readers) - 1 ? " or "
+                                                : ", ") +
+            std::string(reader.first);
   throw std::runtime_error(
       (extension.empty() ? "it has no extension" : "'" + extension + "' is no known extension") +
-      "; use .off, .ply, .obj, .stl, .pcd, .xyz, .pwn, .txt, .asc, .csv or .pts");
+      "; use " + list + ", each also with .gz behind it");
+}
+
+Format format_of(const std::string& path)
+{
+  Format format;
+  std::filesystem::path name(path);
+  format.extension = small_extension(name);
+  format.is_compressed = format.extension == ".gz";
+  if (format.is_compressed) format.extension = small_extension(name.replace_extension());
+  for (const auto& reader : readers)
+    if (format.extension == reader.first)
+    {
+      format.reader = reader.second;
+      return format;
+    }
+  refuse_extension(format.extension);
 }
 
 } // namespace
@@ -55,9 +99,12 @@ Reader reader_for_bytes(const std::string& bytes)
   const auto begins_with = [&](const std::string& word)
   { return bytes.compare(0, word.size(), word) == 0; };
   if (begins_with("ply")) return read_ply;
+  if (begins_with("glTF")) return read_glb;
+  if (begins_with("PK\3\4")) return read_3mf;
   if (begins_with("# .PCD") || begins_with("VERSION")) return read_pcd;
   if (begins_with("solid")) return read_stl;
-  if (bytes.find('\0') != std::string::npos) return read_stl; // the only other binary one
+  if (bytes.find('\0') != std::string::npos)
+    return read_stl; // the only other binary one without a mark
   Text_lines lines(bytes, ",;");
   double number;
   if (!lines.next() || is_number(lines.words()[0], number)) return read_xyz;
@@ -102,6 +149,18 @@ void drop_byte_order_mark(std::string& bytes, const bool is_stl)
 {
   if (bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 && (!is_stl || bytes.compare(3, 5, "solid") == 0))
     bytes.erase(0, 3);
+}
+
+// The folder is where the file lies; empty, as is the extension: it came through standard input.
+void read_bytes(std::string& bytes, Format format, const std::string& folder, Shape& shape)
+{
+  if (format.is_compressed || (format.extension.empty() && is_gzip(bytes))) bytes = gunzip(bytes);
+  drop_byte_order_mark(bytes, format.reader == read_stl);
+  if (format.extension.empty()) format.reader = reader_for_bytes(bytes);
+  if (format.reader)
+    format.reader(bytes, shape);
+  else
+    read_scene(bytes, format.extension, folder, shape);
 }
 
 template <typename Triple>
@@ -156,12 +215,16 @@ Shape read_shape(const std::string& path, const Gaps gaps)
   const std::string where = is_standard_input ? "standard input" : "'" + path + "'";
   try
   {
-    internal::Reader reader = is_standard_input ? nullptr : internal::reader_for(path);
+    const internal::Format format =
+        is_standard_input ? internal::Format() : internal::format_of(path);
     std::string bytes =
         is_standard_input ? internal::stream_bytes(std::cin) : internal::file_bytes(path);
-    internal::drop_byte_order_mark(bytes, reader == internal::read_stl);
-    if (is_standard_input) reader = internal::reader_for_bytes(bytes);
-    reader(bytes, shape);
+    const auto folder = std::filesystem::path(path).parent_path();
+    internal::read_bytes(bytes, format,
+                         is_standard_input ? ""
+                         : folder.empty()  ? "."
+                                           : folder.string(),
+                         shape);
     internal::drop_missing_normals(shape);
     shape.has_gaps_at_origin = gaps == Gaps::ALLOWED && !shape.is_mesh() && shape.is_organized &&
                                has_repeated_origin(shape.points);

@@ -5,9 +5,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <locale>
-#include <ostream>
-#include <string>
 #include <vector>
 
 namespace Shape_io {
@@ -76,44 +73,11 @@ Shape shape_of_elements(const Shape& shape, const std::vector<std::size_t>& elem
     if (!shape.normals.empty()) part.normals.push_back(shape.normals[i]);
   }
   part.point_properties = chosen_values(shape.point_properties, points);
+  part.face_words = shape.face_words;
+  part.material_files = shape.material_files;
+  part.is_textured_obj = shape.is_textured_obj;
+  part.is_of_parts = shape.is_of_parts;
   return part;
-}
-
-namespace {
-
-void write_obj_group(std::ostream& out, const Shape& shape, const std::string& name,
-                     const std::vector<std::size_t>& elements)
-{
-  out << "g " << name << '\n';
-  for (const std::size_t i : elements)
-    if (shape.is_mesh())
-    {
-      out << 'f';
-      for (const std::size_t corner : shape.polygons[i])
-      {
-        out << ' ' << corner + 1;
-        if (!shape.normals.empty()) out << "//" << corner + 1;
-      }
-      out << '\n';
-    }
-    else
-      out << "p " << i + 1 << '\n';
-}
-
-} // namespace
-
-void write_obj_groups(std::ostream& out, const Shape& shape, const std::vector<int>& labels,
-                      const std::size_t number_of_parts, const std::string& kind)
-{
-  out.imbue(std::locale::classic());
-  out.precision(std::numeric_limits<double>::max_digits10);
-  out << "# " << comment_of_parts << '\n';
-  for (const Point& p : shape.points) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-  for (const Vector& n : shape.normals)
-    out << "vn " << n.x() << ' ' << n.y() << ' ' << n.z() << '\n';
-  const auto elements = elements_of_parts(labels, number_of_parts);
-  for (std::size_t label = 0; label < elements.size() && out; ++label)
-    write_obj_group(out, shape, kind + "_" + std::to_string(label), elements[label]);
 }
 
 } // namespace Shape_io

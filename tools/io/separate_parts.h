@@ -7,8 +7,6 @@
 #include "io/shape.h"
 
 #include <cstddef>
-#include <ostream>
-#include <string>
 #include <vector>
 
 // Parts of a shape as shapes of their own.
@@ -22,11 +20,6 @@ std::vector<std::vector<std::size_t>> elements_of_parts(const std::vector<int>& 
 // The shape of some of the elements, with all properties that the file has of them. The points of a mesh keep
 // their order; those that none of the faces has are left out.
 Shape shape_of_elements(const Shape& shape, const std::vector<std::size_t>& elements);
-
-// Writes OBJ with a group a part: `part_0`, `part_1`, ..., or of another kind. All points are written in their order; the
-// faces come part by part, as groups want it.
-void write_obj_groups(std::ostream& out, const Shape& shape, const std::vector<int>& labels,
-                      std::size_t number_of_parts, const std::string& kind = "part");
 
 } // namespace Shape_io
 

@@ -46,6 +46,19 @@ struct Property
   bool is_list() const { return !list_size_type.empty(); }
 };
 
+// Words that hold for faces, such as the name of a material: the face property of that name has the number of a
+// word for each face, or -1.
+struct Face_words
+{
+  std::string name; // "material", "object", "group", "smoothing"
+  std::vector<std::string> words;
+};
+
+// Face properties that are lists with as many numbers for each corner, or with none for a face that has none.
+constexpr const char* name_of_texture_coordinates =
+    "texcoord"; // 2 a corner, as other programs write it
+constexpr const char* name_of_corner_normals = "corner_normal"; // 3 a corner
+
 // A mesh (a soup of polygons) or, when there are no polygons, a cloud of points.
 struct Shape
 {
@@ -54,8 +67,11 @@ struct Shape
   std::vector<std::vector<std::size_t>> polygons;
   std::vector<Property> point_properties;
   std::vector<Property> face_properties;
+  std::vector<Face_words> face_words;
+  std::vector<std::string> material_files; // of OBJ: what its lines `mtllib` name
   std::vector<std::string> notes; // what of the file was not taken as one might expect, a line each
   bool is_of_parts = false;       // with labels and colors of an earlier run
+  bool is_textured_obj = false;   // of an OBJ file with texture coordinates or materials
   bool is_organized = false;      // the points are the pixels of a depth image
   bool has_gaps_at_origin = false; // a point at the origin is a pixel without a measurement
 

@@ -10,6 +10,7 @@
 #include "io/part_colors.h"
 #include "io/read_shape.h"
 #include "io/shape.h"
+#include "io/write_obj.h"
 #include "io/write_parts.h"
 
 #endif // CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_IO_SHAPE_IO_H

@@ -62,8 +62,11 @@ bool Text_lines::next()
 {
   m_words.clear();
   while (m_words.empty() && m_next < m_text.size())
+  {
+    m_first = m_next;
     while (take_line() && m_next < m_text.size())
     {}
+  }
   return !m_words.empty();
 }
 
@@ -77,6 +80,7 @@ bool Text_lines::take_line()
 {
   const std::size_t end = (std::min)(m_text.find_first_of("\r\n", m_next), m_text.size());
   std::string_view line = m_text.substr(m_next, end - m_next);
+  m_end = end;
   m_next = end + 1;
   if (m_next < m_text.size() && m_text[end] == '\r' && m_text[m_next] == '\n') ++m_next;
   ++m_line_number;

@@ -38,6 +38,8 @@ public:
   bool next();
 
   const std::vector<std::string_view>& words() const { return m_words; }
+  // All of the line, with its blanks and comments; several lines where it goes on.
+  std::string_view text() const { return m_text.substr(m_first, m_end - m_first); }
   // of the line's end, from 1 on
   std::size_t line_number() const { return m_line_number; }
 
@@ -49,7 +51,7 @@ private:
 
   std::string_view m_text;
   std::string m_separators;
-  std::size_t m_next = 0;
+  std::size_t m_first = 0, m_end = 0, m_next = 0;
   std::size_t m_line_number = 0;
   std::vector<std::string_view> m_words;
 };

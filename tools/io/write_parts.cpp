@@ -230,6 +230,16 @@ void write_faces(std::ostream& out, Ply_writer& writer, const Shape& shape, cons
   }
 }
 
+// What the numbers of the properties of those names stand for, and the files of the materials: PLY has no other
+// place.
+void write_words(std::ostream& out, const Shape& shape)
+{
+  for (const std::string& file : shape.material_files) out << "comment mtllib " << file << '\n';
+  for (const Face_words& kind : shape.face_words)
+    for (std::size_t i = 0; i < kind.words.size(); ++i)
+      out << "comment " << kind.name << ' ' << i << ' ' << kind.words[i] << '\n';
+}
+
 void declare_coordinates(std::ostream& out, const Ply_type type, const std::string& prefix)
 {
   for (const char axis : {'x', 'y', 'z'})
@@ -246,7 +256,9 @@ void write_parts(std::ostream& out, const Shape& shape, const Parts& parts, cons
   // before anything is written: a file that can't be flushed for another locale is of no use after
   out.imbue(std::locale::classic());
   out << "ply\nformat " << (encoding == Encoding::ASCII ? "ascii" : "binary_little_endian")
-      << " 1.0\ncomment " << comment_of_parts << "\nelement vertex " << shape.points.size() << '\n';
+      << " 1.0\ncomment " << comment_of_parts << '\n';
+  internal::write_words(out, shape);
+  out << "element vertex " << shape.points.size() << '\n';
   internal::declare_coordinates(out, internal::type_of_coordinates(shape.points), "");
   if (!shape.normals.empty())
     internal::declare_coordinates(out, internal::type_of_coordinates(shape.normals), "n");

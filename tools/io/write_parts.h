@@ -50,7 +50,8 @@ Ply_type type_of_coordinates(const std::vector<Triple>& triples)
 } // namespace internal
 
 // Writes the shape as PLY: its points and faces as they were read, each with a color, an int
-// `label` and a float `quality`, and all other properties of the input. A point of a mesh takes the label that most of its faces have.
+// `label` and a float `quality`, and all other properties of the input, the words of faces as
+// comments. A point of a mesh takes the label that most of its faces have.
 void write_parts(std::ostream& out, const Shape& shape, const Parts& parts,
                  Encoding encoding = Encoding::BINARY);
 

@@ -82,8 +82,8 @@ po::options_description described_outputs(Options& options, Numbers& numbers)
   add("view", po::value(&options.view_file)->value_name("PARTS.html"),
       "write a page for a browser: turn the shape, step through the stages, pull the parts apart");
   add("split", po::value(&options.split_folder)->value_name("FOLDER"),
-      "write each part as a file of its own, FOLDER/part_0.ply and so on, in place of those of an "
-      "earlier run");
+      "write each part as a file of its own, FOLDER/part_0.ply and so on (.obj if INPUT is OBJ "
+      "with materials or texture coordinates), in place of those of an earlier run");
   add("close", po::bool_switch(&options.is_closed),
       "write the parts of --split as closed solids, with caps over their cuts, as printers take "
       "them; says which could not be closed");
@@ -300,13 +300,15 @@ void print_help(std::ostream& out)
   Options options;
   internal::Numbers numbers;
   out << "Usage: segment_shape [INPUT] [OPTIONS]\n\n"
-         "Segments a mesh (OFF, PLY, OBJ, STL) or a cloud of points (PLY, PCD, XYZ, PWN, TXT, "
-         "CSV,\n"
-         "PTS, OFF, OBJ) into weakly convex parts. Without INPUT it segments a shape of its own. "
-         "The name\n"
-         "- is standard input or output. Pixels of a depth camera without a measurement (NaN; 0 0 "
-         "0\n"
-         "repeated in an organized PCD or PLY) keep their place and get the label -1.\n\n"
+         "Segments a mesh (OFF, PLY, OBJ, STL, glTF, GLB, 3MF, DAE, FBX) or a cloud of points "
+         "(PLY, PCD,\n"
+         "XYZ, PWN, TXT, ASC, CSV, PTS, OFF, OBJ, glTF), also compressed (.gz), into weakly "
+         "convex parts.\n"
+         "Without INPUT it segments a shape of its own. The name - is standard input or output. "
+         "Pixels of\n"
+         "a depth camera without a measurement (NaN; 0 0 0 repeated in an organized PCD or PLY) "
+         "keep\n"
+         "their place and get the label -1.\n\n"
          "  segment_shape scan.ply                           writes scan_parts.ply\n"
          "  segment_shape model.stl --split parts --close    a solid a part, for a printer\n"
       << internal::described_options(options, numbers);

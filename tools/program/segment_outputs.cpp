@@ -7,6 +7,7 @@
 #include "io/part_hulls.h"
 #include "io/separate_parts.h"
 #include "io/shape_io.h"
+#include "io/write_obj.h"
 #include "program/interruption.h"
 
 #include <algorithm>
@@ -22,22 +23,31 @@ namespace Segment_shape {
 
 namespace {
 
-// The properties of a part's own faces, 0 for those of its caps, and which these are.
-std::vector<Shape_io::Property> with_caps(std::vector<Shape_io::Property> properties,
-                                          const std::size_t number_of_own,
-                                          const std::size_t number_of_faces)
+// Gives the solid what the input has of its own faces; caps have no corner values and no words, else 0, and are told by a
+// property.
+void add_properties(const Shape_io::Shape& own, const std::size_t number_of_own,
+                    Shape_io::Shape& solid)
 {
-  for (Shape_io::Property& property : properties)
+  const std::size_t n = solid.polygons.size();
+  solid.face_properties = own.face_properties;
+  solid.face_words = own.face_words;
+  solid.material_files = own.material_files;
+  solid.is_textured_obj = own.is_textured_obj;
+  solid.is_of_parts = own.is_of_parts;
+  for (Shape_io::Property& property : solid.face_properties)
+  {
+    const bool has_words =
+        std::any_of(own.face_words.begin(), own.face_words.end(),
+                    [&](const Shape_io::Face_words& words) { return words.name == property.name; });
     if (property.is_list())
-      property.first.resize(number_of_faces + 1, property.values.size());
+      property.first.resize(n + 1, property.values.size());
     else
-      property.values.resize(number_of_faces);
+      property.values.resize(n, has_words ? -1. : 0.);
+    if (property.name == "cap") property.name = "input_cap";
+  }
   Shape_io::Property cap = {"cap", "uchar", std::vector<double>(number_of_own, 0.)};
-  cap.values.resize(number_of_faces, 1.);
-  for (Shape_io::Property& property : properties)
-    if (property.name == cap.name) property.name = "input_cap";
-  properties.push_back(std::move(cap));
-  return properties;
+  cap.values.resize(n, 1.);
+  solid.face_properties.push_back(std::move(cap));
 }
 
 void write_shape(Shape_io::Atomic_file& file, const std::string& path, const Shape_io::Shape& shape,
@@ -178,7 +188,8 @@ void Outputs::write_separate_part(const Shape_io::Shape& part, const Shape_io::P
                                   const std::string& name)
 {
   Program_errors::Interruption::check();
-  const std::string path = m_folder->path_of(name, ".ply");
+  // OBJ keeps the most of what has materials: no other format of ours names their files
+  const std::string path = m_folder->path_of(name, part.is_textured_obj ? ".obj" : ".ply");
   const File file = open(path);
   write_shape(*file, path, part, own, m_options.ascii);
   file->finish();
@@ -205,8 +216,8 @@ void Outputs::write_closed_parts(const Shape_io::Shape& shape, const Shape_io::P
     Shape_io::Closed_part& solid = solids[label];
     const std::size_t n = solid.shape.polygons.size();
     if (n == 0) continue;
-    const auto properties = Shape_io::shape_of_elements(shape, solid.source_faces).face_properties;
-    solid.shape.face_properties = with_caps(properties, solid.source_faces.size(), n);
+    add_properties(Shape_io::shape_of_elements(shape, solid.source_faces),
+                   solid.source_faces.size(), solid.shape);
     Shape_io::Parts own = parts_of_elements(parts, solid.source_faces);
     own.labels.resize(n, own.labels.front());
     own.quality.resize(n, own.quality.front());
