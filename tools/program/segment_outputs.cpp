@@ -36,20 +36,22 @@ void write_shape(Shape_io::Atomic_file& file, const std::string& path, const Sha
 
 } // namespace
 
-Outputs::Outputs(const Options& options)
-  : m_options(options), m_parts(open(options.parts_file)), m_labels(open(options.labels_file)),
-    m_stats(open(options.stats_file)), m_hulls(open(options.hulls_file)),
-    m_view(open(options.view_file))
+Outputs::Outputs(const Options& options, Progress_line& progress)
+  : m_options(options), m_progress(progress), m_parts(open(options.parts_file)),
+    m_labels(open(options.labels_file)), m_stats(open(options.stats_file)),
+    m_hulls(open(options.hulls_file)), m_view(open(options.view_file))
 {
   if (!options.split_folder.empty()) m_folder.emplace(options.split_folder);
 }
 
 void Outputs::write(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
 {
-  if (m_parts) write_shape(*m_parts, m_options.parts_file, shape, parts, m_options.ascii);
+  if (begins(m_parts, m_options.parts_file))
+    write_shape(*m_parts, m_options.parts_file, shape, parts, m_options.ascii);
   Program_errors::Interruption::check(); // a large shape takes seconds a file
-  if (m_labels) Shape_io::write_labels(m_labels->stream(), parts.labels);
-  if (m_hulls) write_hulls(shape, parts);
+  if (begins(m_labels, m_options.labels_file))
+    Shape_io::write_labels(m_labels->stream(), parts.labels);
+  if (begins(m_hulls, m_options.hulls_file)) write_hulls(shape, parts);
   if (m_folder) write_separate_parts(shape, parts);
 }
 
@@ -61,7 +63,8 @@ void Outputs::write_stats(const Shape_io::Shape& shape, const Run& run)
 void Outputs::write_view(const std::optional<View_page>& page, const Shape_io::Shape& shape,
                          const std::vector<View_stage>& stages, const Run& run)
 {
-  if (m_view) page->write(m_view->stream(), m_options, shape, stages, run);
+  if (begins(m_view, m_options.view_file))
+    page->write(m_view->stream(), m_options, shape, stages, run);
 }
 
 void Outputs::finish()
@@ -84,12 +87,21 @@ Outputs::File Outputs::open(const std::string& path)
   return m_files.back().get();
 }
 
+bool Outputs::begins(const File file, const std::string& path)
+{
+  if (file != nullptr) m_progress.writing(path);
+  return file != nullptr;
+}
+
 void Outputs::write_hulls(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
 {
   const auto hulls = Shape_io::part_hulls(shape, parts.labels, parts.colors.size());
   if (!hulls.flat_parts.empty() && !m_options.quiet)
+  {
+    m_progress.wipe();
     std::cerr << "segment_shape: " << hulls.flat_parts.size()
               << " parts are flat and have no hull\n";
+  }
   write_shape(*m_hulls, m_options.hulls_file, hulls.shape, parts_of_hulls(hulls, parts),
               m_options.ascii);
 }
@@ -107,6 +119,7 @@ void Outputs::write_separate_part(const Shape_io::Shape& shape, const Shape_io::
   Program_errors::Interruption::check();
   const std::string path = m_folder->path_of_part(name);
   const File file = open(path);
+  m_progress.writing(path);
   write_shape(*file, path, Shape_io::shape_of_elements(shape, elements), own, m_options.ascii);
   file->finish();
 }
