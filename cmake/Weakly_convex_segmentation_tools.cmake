@@ -7,6 +7,7 @@
 
 find_package(Boost REQUIRED COMPONENTS program_options)
 find_package(nlohmann_json REQUIRED)
+find_package(PNG REQUIRED)
 
 if(NOT TARGET Weakly_convex_segmentation_tools)
   set(_wcs_tools "${CMAKE_CURRENT_LIST_DIR}/../tools")
@@ -16,5 +17,5 @@ if(NOT TARGET Weakly_convex_segmentation_tools)
   target_link_libraries(Weakly_convex_segmentation_tools
                         PUBLIC Weakly_convex_segmentation::Weakly_convex_segmentation
                                nlohmann_json::nlohmann_json
-                        PRIVATE Boost::program_options)
+                        PRIVATE Boost::program_options PNG::PNG)
 endif()
