@@ -63,7 +63,7 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
                                      "distance that separates objects")(
       "preset", po::value(&preset)->default_value("default"), "default, training_free or paper");
   po::options_description all;
-  all.add(visible).add_options()("input", po::value(&files.input)->required(), "");
+  all.add(visible).add_options()("input", po::value(&files.input), "");
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map map;
@@ -146,6 +146,8 @@ void write_stats(const Scene_objects::Scene& scene, const std::size_t number_of_
 
 void segment_scene(const Files& files, const Scene_objects::Options& options)
 {
+  if (files.input.empty())
+    throw std::invalid_argument("there is no scene; give SCENE.ply, see segment_scene --help");
   std::vector<std::string> outputs;
   for (const std::string& path : {files.parts, files.stats})
     if (!path.empty()) outputs.push_back(path);

@@ -156,9 +156,10 @@ Shape read_shape(const std::string& path, const Gaps gaps)
   const std::string where = is_standard_input ? "standard input" : "'" + path + "'";
   try
   {
-    internal::Reader reader = is_standard_input ? nullptr : internal::reader_for(path);
+    // first what is there: a folder has no extension either
     std::string bytes =
         is_standard_input ? internal::stream_bytes(std::cin) : internal::file_bytes(path);
+    internal::Reader reader = is_standard_input ? nullptr : internal::reader_for(path);
     internal::drop_byte_order_mark(bytes, reader == internal::read_stl);
     if (is_standard_input) reader = internal::reader_for_bytes(bytes);
     reader(bytes, shape);
