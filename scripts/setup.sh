@@ -7,9 +7,10 @@
 #   scripts/setup.sh [GROUP...]      groups: build test doc report pcl view;
 #                                  without any: build test
 #
-# build: compiler and libraries; test: what scripts/test needs besides; doc: the tool that makes the manual; report: what scripts/report, scripts/scan_report and
-# scripts/reproduce_paper draw with; pcl: a library whose methods the benchmark compares with (large);
-# view: npm, with which the page of segment_shape --view is made, and a browser that tests it.
+# build: compiler and libraries; test: what scripts/test needs besides; doc: the tool that makes the manual;
+# report: what scripts/report, scripts/scan_report and scripts/reproduce_paper draw with; pcl: a library whose
+# methods the benchmark compares with (large); view: npm, with which the page of segment_shape --view is made,
+# and a browser that tests it.
 
 set -euo pipefail
 
