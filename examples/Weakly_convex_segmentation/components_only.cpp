@@ -26,7 +26,7 @@ try
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
   if (!CGAL::IO::read_polygon_soup(filename, points, polygons) || polygons.empty())
-    throw std::runtime_error(filename + " holds no polygons");
+    throw std::runtime_error("no polygons can be read from " + filename);
   const auto result = CGAL::weakly_convex_segmentation_of_soup(points, polygons);
 
   // The patches are the leaves of the merge tree; its first merges fused them into components.

@@ -44,7 +44,7 @@ try
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("octopus.ply");
   Point_set points; // without normals in the file they are estimated
   if (!CGAL::IO::read_point_set(filename, points) || points.empty())
-    throw std::runtime_error(filename + " holds no points");
+    throw std::runtime_error("no points can be read from " + filename);
   auto label = points.add_property_map<int>("label").first;
 
   for (const double weight : {0.5, 1., 2.})

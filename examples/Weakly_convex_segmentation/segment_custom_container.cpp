@@ -55,7 +55,7 @@ try
           CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
               .normal_map(CGAL::Second_of_pair_property_map<Oriented>())) ||
       read.empty())
-    throw std::runtime_error(filename + " holds no points");
+    throw std::runtime_error("no points can be read from " + filename);
   std::vector<Sample> samples;
   for (const auto& [position, normal] : read) samples.push_back({position, normal, -1});
 

@@ -30,7 +30,7 @@ try
   Mesh mesh, second;
   if (!CGAL::IO::read_polygon_mesh(filename, mesh) || !CGAL::IO::read_polygon_mesh(other, second) ||
       mesh.number_of_faces() == 0)
-    throw std::runtime_error(filename + " or " + other + " holds no manifold mesh");
+    throw std::runtime_error("no manifold mesh can be read from " + filename + " or " + other);
   const Face of_figure = *mesh.faces().begin();
   mesh.join(second);
 

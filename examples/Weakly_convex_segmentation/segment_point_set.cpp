@@ -24,7 +24,7 @@ try
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("octopus.ply");
   Point_set points; // without normals in the file they are estimated
   if (!CGAL::IO::read_point_set(filename, points) || points.empty())
-    throw std::runtime_error(filename + " holds no points");
+    throw std::runtime_error("no points can be read from " + filename);
   Point_set::Property_map<int> labels = points.add_property_map<int>("label", -1).first;
 
   // Parallel_if_available_tag uses TBB in programs that are linked with it.

@@ -30,7 +30,7 @@ try
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("figure.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
-    throw std::runtime_error(filename + " holds no manifold mesh");
+    throw std::runtime_error("no manifold mesh can be read from " + filename);
 
   auto label = mesh.add_property_map<Mesh::Face_index, int>("f:label").first;
   const auto result = CGAL::weakly_convex_segmentation(mesh, label);

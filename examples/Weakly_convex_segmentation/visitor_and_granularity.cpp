@@ -44,7 +44,7 @@ try
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
   if (!CGAL::IO::read_polygon_soup(filename, points, polygons) || polygons.empty())
-    throw std::runtime_error(filename + " holds no polygons");
+    throw std::runtime_error("no polygons can be read from " + filename);
 
   Stage_printer printer;
   const WCS::Result result = CGAL::weakly_convex_segmentation_of_soup(
