@@ -7,6 +7,7 @@
 
 find_package(Boost REQUIRED COMPONENTS program_options OPTIONAL_COMPONENTS iostreams)
 find_package(nlohmann_json REQUIRED)
+find_package(PNG REQUIRED)
 # Without assimp and Boost's iostreams the files of their formats are refused, with a word on what is missing.
 find_package(assimp QUIET)
 
@@ -25,7 +26,7 @@ if(NOT TARGET Weakly_convex_segmentation_tools)
   target_link_libraries(Weakly_convex_segmentation_tools
                         PUBLIC Weakly_convex_segmentation::Weakly_convex_segmentation
                                nlohmann_json::nlohmann_json
-                        PRIVATE Boost::program_options)
+                        PRIVATE Boost::program_options PNG::PNG)
   if(TARGET assimp::assimp)
     target_link_libraries(Weakly_convex_segmentation_tools PRIVATE assimp::assimp)
     set_source_files_properties("${_wcs_tools}/io/read_scene.cpp" PROPERTIES COMPILE_DEFINITIONS WCS_HAS_ASSIMP)

@@ -8,6 +8,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 # shellcheck disable=SC2034 # used where this file is sourced
 build_dir=${WCS_BUILD_DIR:-build}
 
+export PYTHONDONTWRITEBYTECODE=1 # nothing but the build folder is written to
+
 say() { printf '\n== %s\n' "$*"; }
 
 # Number of parallel jobs: one a processor, but no more than there is memory for, at 2.5 GB a

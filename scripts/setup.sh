@@ -4,20 +4,19 @@
 
 # Installs the Debian (or Ubuntu) packages that are missing, and does nothing if none is.
 #
-#   scripts/setup.sh [GROUP...]      groups: build picture test doc report pcl view;
+#   scripts/setup.sh [GROUP...]      groups: build test doc report pcl view;
 #                                  without any: build test
 #
 # build: compiler and libraries, among them two that only read files (glTF, 3MF, DAE, FBX and .gz; 31 MB,
-# may be missing); picture: the viewer of scripts/demo; test: what scripts/test needs
-# besides; doc: the tool that makes the manual; report: what scripts/report, scripts/scan_report and
-# scripts/reproduce_paper draw with; pcl: a library whose methods the benchmark compares with (large);
-# view: npm, with which the page of segment_shape --view is made, and a browser that tests it.
+# may be missing); test: what scripts/test needs besides; doc: the tool that makes the manual;
+# report: what scripts/report, scripts/scan_report and scripts/reproduce_paper draw with; pcl: a library whose
+# methods the benchmark compares with (large); view: npm, with which the page of segment_shape --view is made,
+# and a browser that tests it.
 
 set -euo pipefail
 
 build=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libeigen3-dev
-       libspectra-dev libtbb-dev nlohmann-json3-dev libassimp-dev libboost-iostreams-dev)
-picture=(f3d xvfb xauth)
+       libspectra-dev libtbb-dev libpng-dev nlohmann-json3-dev libassimp-dev libboost-iostreams-dev)
 test=(libbenchmark-dev clang-14 clang-format-14 python3)
 doc=(doxygen)
 report=(python3-matplotlib python3-pil)
@@ -35,14 +34,13 @@ wanted=()
 for group in "$@"; do
   case $group in
     build) wanted+=("${build[@]}") ;;
-    picture) wanted+=("${picture[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     doc) wanted+=("${doc[@]}") ;;
     report) wanted+=("${report[@]}") ;;
     pcl) wanted+=("${pcl[@]}") ;;
     view) wanted+=("${view[@]}") ;;
     *)
-      echo "setup.sh: there is no group '$group': build, picture, test, doc, report, pcl, view" >&2
+      echo "setup.sh: there is no group '$group': build, test, doc, report, pcl, view" >&2
       exit 1
       ;;
   esac

@@ -38,7 +38,7 @@ bool read_options(const int argc, char** argv, Options& options)
                                   "scans a mesh, or a made shape, from some sides\nOptions");
   Virtual_scanner::Camera& camera = options.camera;
   std::size_t resolution = camera.resolution;
-  visible.add_options()("help,h", "print this")("output,o", po::value(&options.output)->required(),
+  visible.add_options()("help,h", "print this")("output,o", po::value(&options.output),
                                                 "cloud to write")(
       "shape", po::value(&options.shape)->default_value("figure"), "the made shape, without MESH")(
       "views", po::value(&options.views)->default_value(4), "number of viewpoints, 1 to 1000")(
@@ -53,6 +53,9 @@ bool read_options(const int argc, char** argv, Options& options)
     return false;
   }
   if (map.count("input") > 0) options.input = map["input"].as<std::string>();
+  if (options.output.empty())
+    throw std::invalid_argument(
+        "there is no file to write; give -o CLOUD.ply, see scan_shape --help");
   if (options.views < 1 || options.views > 1000)
     throw std::invalid_argument("--views has to be from 1 to 1000");
   if (options.with_noise) camera = Virtual_scanner::realistic_camera();

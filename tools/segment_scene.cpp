@@ -126,6 +126,8 @@ void write_stats(const Scene_objects::Scene& scene, const std::size_t number_of_
 
 void segment_scene(const Files& files, const Scene_objects::Options& options)
 {
+  if (files.input.empty())
+    throw std::invalid_argument("there is no scene; give SCENE.ply, see segment_scene --help");
   std::vector<std::string> outputs;
   for (const std::string& path : {files.parts, files.stats})
     if (!path.empty()) outputs.push_back(path);

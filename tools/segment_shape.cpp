@@ -73,12 +73,11 @@ WCS::Result segment_cloud(const Shape& shape, const WCS::Parameters& parameters,
 
 template <typename Concurrency_tag>
 WCS::Result segment_with(const Shape& shape, const Options& options,
-                         Segment_shape::Stage_times& stages)
+                         Segment_shape::Stage_times& stages, Segment_shape::Progress_line& progress)
 {
-  Segment_shape::Progress_line progress(options.quiet);
   const std::function<bool(double)> go_on = [&](const double share)
   {
-    progress.show(share, WCS::stage_name(stages.stage()));
+    progress.segmenting(share, stages.name());
     return !Program_errors::Interruption::happened();
   };
   const auto np = CGAL::parameters::callback(go_on).visitor(std::ref(stages));
@@ -87,6 +86,7 @@ WCS::Result segment_with(const Shape& shape, const Options& options,
     throw std::invalid_argument("a cloud of points has no diameters by CGAL; use --diameters own");
   if (shape.is_mesh())
   {
+    if (has_given) progress.segmenting(0., "diameters");
     const std::vector<double> diameters =
         has_given ? Segment_shape::cgal_diameters(shape, options.parameters)
                   : std::vector<double>();
@@ -97,15 +97,19 @@ WCS::Result segment_with(const Shape& shape, const Options& options,
   return segment_cloud<Concurrency_tag>(shape, options.parameters, np);
 }
 
-WCS::Result segment(const Shape& shape, const Options& options, Segment_shape::Stage_times& stages)
+WCS::Result segment(const Shape& shape, const Options& options, Segment_shape::Stage_times& stages,
+                    Segment_shape::Progress_line& progress)
 {
   using Segment_shape::Thread_limit;
   const Thread_limit limit(options.number_of_threads);
   if (options.number_of_threads == 1)
-    return segment_with<CGAL::Sequential_tag>(shape, options, stages);
+    return segment_with<CGAL::Sequential_tag>(shape, options, stages, progress);
   if (!Thread_limit::has_threads && options.number_of_threads > 1 && !options.quiet)
+  {
+    progress.wipe();
     std::cerr << "segment_shape: built without TBB, so one thread is used\n";
-  return segment_with<CGAL::Parallel_if_available_tag>(shape, options, stages);
+  }
+  return segment_with<CGAL::Parallel_if_available_tag>(shape, options, stages, progress);
 }
 
 Shape_io::Parts parts_at(const WCS::Level level, const Shape& shape, const WCS::Result& result)
@@ -221,6 +225,8 @@ std::string name_of_input(const Options& options)
   return options.input == "-" ? "standard input" : options.input;
 }
 
+Shape read(const std::string& path) { return Shape_io::read_shape(path, Shape_io::Gaps::ALLOWED); }
+
 void check_outputs(const Options& options)
 {
   std::vector<std::string> files = Segment_shape::output_files(options);
@@ -245,13 +251,13 @@ void segment_shape(const Options& options)
   if (!options.view_file.empty()) page.emplace(path_of_page());
   Run run;
   run.name = name_of_input(options);
+  Segment_shape::Progress_line progress(options.quiet);
   const Segment_shape::Stopwatch reading;
-  const Shape shape = options.input.empty()
-                          ? generated_shape(options.shape)
-                          : Shape_io::read_shape(options.input, Shape_io::Gaps::ALLOWED);
+  progress.reading(run.name);
+  const Shape shape = options.input.empty() ? generated_shape(options.shape) : read(options.input);
   std::optional<Shape> dense;
-  if (!options.dense_file.empty())
-    dense = Shape_io::read_shape(options.dense_file, Shape_io::Gaps::ALLOWED);
+  if (!options.dense_file.empty()) progress.reading(options.dense_file);
+  if (!options.dense_file.empty()) dense = read(options.dense_file);
   run.seconds_of_reading = reading.seconds();
   const Shape& written = dense ? *dense : shape;
   if (options.is_cut) Shape_io::check_can_be_cut(written);
@@ -262,9 +268,9 @@ void segment_shape(const Options& options)
   run.number_of_gaps = measured.number_of_gaps();
 
   const Program_errors::Interruption interruption;
-  Segment_shape::Outputs outputs(options);
+  Segment_shape::Outputs outputs(options, progress);
   const Segment_shape::Stopwatch segmentation;
-  run.result = segment(measured.shape(), options, run.stages);
+  run.result = segment(measured.shape(), options, run.stages, progress);
   run.seconds_of_segmentation = segmentation.seconds();
   const auto parts_of = [&](const WCS::Level level)
   {
@@ -280,6 +286,7 @@ void segment_shape(const Options& options)
   }
   outputs.write_stats(shape, run);
   outputs.finish();
+  progress.wipe();
   const std::vector<std::string> files = Segment_shape::output_files(options);
   const bool is_standard_output_taken = std::count(files.begin(), files.end(), "-") > 0;
   std::ostream& out = is_standard_output_taken ? std::cerr : std::cout;

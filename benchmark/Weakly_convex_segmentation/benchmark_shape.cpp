@@ -8,8 +8,8 @@
 
 #include "baselines/compared_methods.h"
 #include "metrics/princeton_benchmark.h"
-#include "report/draw_parts.h"
 
+#include "draw/draw_parts.h"
 #include "io/atomic_file.h"
 #include "io/part_colors.h"
 
@@ -24,6 +24,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SM = Segmentation_metrics;
@@ -51,7 +52,7 @@ bool read_options(const int argc, char** argv, Options& options)
                                               "file for the outcome (default: standard output)")(
       "methods", po::value(&groups)->default_value(known + "people"), "which, separated by commas")(
       "seconds", po::value(&options.seconds)->default_value(300), "most wall time for a method")(
-      "pictures", po::value(&options.pictures), "folder for N_ours.ppm and N_person.ppm")(
+      "pictures", po::value(&options.pictures), "folder for N_ours.png and N_person.png")(
       "labels", po::value(&options.labels), "folder for N_METHOD.seg");
   po::options_description all;
   all.add(visible).add_options()("data", po::value(&options.data)->required(),
@@ -193,18 +194,22 @@ void draw(const SM::Benchmark_model& model, const SM::Prepared_segmentation& our
           const std::filesystem::path& folder)
 {
   const SM::Prepared_segmentation& person = typical_person(model);
-  const Draw_parts::Scene scene{model.mesh.points, {}, model.mesh.faces};
+  const Draw_parts::Scene scene{model.mesh.points, {}, model.mesh.faces, {}};
   const std::vector<int> theirs(person.labels.begin(), person.labels.end());
   const std::vector<int> matched = matched_labels(model, ours, person);
   const Draw_parts::View view =
-      Draw_parts::look(scene, Draw_parts::best_camera(scene, theirs), 440);
+      Draw_parts::look(scene, Draw_parts::best_camera(scene, theirs), 220);
   std::vector<Draw_parts::Color> colors;
   for (std::size_t i = 0; i < ours.number_of_segments + person.number_of_segments; ++i)
     colors.push_back(Shape_io::internal::palette[i % Shape_io::internal::palette_size]);
   std::filesystem::create_directories(folder);
   const std::string number = std::to_string(model.number);
-  Draw_parts::write_picture(view, matched, colors, folder / (number + "_ours.ppm"));
-  Draw_parts::write_picture(view, theirs, colors, folder / (number + "_person.ppm"));
+  for (const auto& [labels, side] : {std::pair(&matched, "_ours.png"), {&theirs, "_person.png"}})
+  {
+    Shape_io::Atomic_file file((folder / (number + side)).string());
+    Draw_parts::write_png(Draw_parts::make_picture(view, *labels, colors), file.stream());
+    file.commit();
+  }
 }
 
 void write_labels(const Options& options, const CM::Labeling& labeling)

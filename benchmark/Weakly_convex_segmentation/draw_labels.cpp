@@ -1,17 +1,18 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws a shape with its labels, in milliseconds: draw_labels SHAPE LABELS PICTURE.ppm
+// Draws a shape with its labels, in milliseconds: draw_labels SHAPE LABELS PICTURE.png
 //
-// More pairs LABELS PICTURE.ppm may follow: all are seen from the side that shows most of the first, and what
+// More pairs LABELS PICTURE.png may follow: all are seen from the side that shows most of the first, and what
 // covers most of one of its parts has the color of that part.
 
-#include "report/draw_parts.h"
-
+#include "draw/draw_parts.h"
+#include "io/atomic_file.h"
 #include "io/part_colors.h"
 #include "io/read_shape.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -38,29 +39,6 @@ std::vector<int> read_labels(const std::string& path, const std::size_t number_o
                              std::to_string(number_of_elements) +
                              " points or faces; give the labels of this shape");
   return labels;
-}
-
-/// the scene, with polygons cut into triangles
-Draw_parts::Scene make_scene(const Shape_io::Shape& shape)
-{
-  Draw_parts::Scene scene;
-  for (const auto& p : shape.points) scene.points.push_back({p.x(), p.y(), p.z()});
-  if (!shape.is_mesh())
-    for (const auto& v : shape.normals) scene.normals.push_back({v.x(), v.y(), v.z()});
-  for (const auto& polygon : shape.polygons)
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-      scene.faces.push_back({polygon[0], polygon[i - 1], polygon[i]});
-  return scene;
-}
-
-/// labels of points, or of the triangles that polygons were cut into
-std::vector<int> of_scene(const Shape_io::Shape& shape, const std::vector<int>& labels)
-{
-  if (!shape.is_mesh()) return labels;
-  std::vector<int> of_triangles;
-  for (std::size_t f = 0; f < shape.polygons.size(); ++f)
-    for (std::size_t i = 2; i < shape.polygons[f].size(); ++i) of_triangles.push_back(labels[f]);
-  return of_triangles;
 }
 
 std::size_t number_of(const std::vector<int>& labels)
@@ -114,22 +92,23 @@ std::vector<Shape_io::Color> matched_colors(const std::vector<int>& labels,
 /// draws pairs of labels and a picture to make
 void draw(const Shape_io::Shape& shape, const std::vector<std::string>& pairs)
 {
-  const Draw_parts::Scene scene = make_scene(shape);
   Draw_parts::View view;
   std::vector<int> first;
   std::vector<Shape_io::Color> first_colors;
   for (std::size_t i = 0; i < pairs.size(); i += 2)
   {
     const std::vector<int> labels = read_labels(pairs[i], shape.number_of_elements());
-    const std::vector<int> shown = of_scene(shape, labels);
     if (i == 0)
     {
       first = labels;
       first_colors = own_colors(shape, labels);
-      view = Draw_parts::look(scene, Draw_parts::best_camera(scene, shown), 440);
+      const Draw_parts::Scene scene = Draw_parts::make_scene(shape, labels);
+      view = Draw_parts::look(scene, Draw_parts::best_camera(scene, labels), 220);
     }
     const auto colors = i == 0 ? first_colors : matched_colors(labels, first, first_colors);
-    Draw_parts::write_picture(view, shown, colors, pairs[i + 1]);
+    Shape_io::Atomic_file file(pairs[i + 1]);
+    Draw_parts::write_png(Draw_parts::make_picture(view, labels, colors), file.stream());
+    file.commit();
   }
 }
 

@@ -276,7 +276,7 @@ def corpus_jobs(options):
         )
         command = ["/bin/sh", "-c", script, "sh", options.bin / "segment_shape", shape, labels]
         command += [unfinished, options.bin / "draw_labels"]
-        command += [options.out / "pictures" / f"{name}.ppm", stats]
+        command += [options.out / "pictures" / f"{name}.png", stats]
         programs = [options.bin / "segment_shape"]
         yield Job(str(shape.relative_to(options.input)), command, stats, programs)
 

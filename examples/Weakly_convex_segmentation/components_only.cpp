@@ -10,23 +10,23 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
 int main(int argc, char* argv[])
+try
 {
   // The shape is a polygon soup: it needs no mesh data structure.
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("figure.off");
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
-  if (!CGAL::IO::read_polygon_soup(filename, points, polygons))
-  {
-    std::cerr << filename << " holds no polygons\n";
-    return EXIT_FAILURE;
-  }
+  if (!CGAL::IO::read_polygon_soup(filename, points, polygons) || polygons.empty())
+    throw std::runtime_error("no polygons can be read from " + filename);
   const auto result = CGAL::weakly_convex_segmentation_of_soup(points, polygons);
 
   // The patches are the leaves of the merge tree; its first merges fused them into components.
@@ -40,4 +40,9 @@ int main(int argc, char* argv[])
             << "the first component has " << std::count(components.begin(), components.end(), 0)
             << " faces\n";
   return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "components_only: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }

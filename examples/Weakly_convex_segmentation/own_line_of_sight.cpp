@@ -11,7 +11,9 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
@@ -44,14 +46,12 @@ public:
 };
 
 int main(int argc, char* argv[])
+try
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("dumbbell.off");
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(filename, mesh))
-  {
-    std::cerr << filename << " holds no manifold mesh\n";
-    return EXIT_FAILURE;
-  }
+  if (!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+    throw std::runtime_error("no manifold mesh can be read from " + filename);
   auto label = mesh.add_property_map<Mesh::Face_index, int>("f:label").first;
 
   std::size_t lines = 0;
@@ -59,4 +59,9 @@ int main(int argc, char* argv[])
       mesh, label, CGAL::parameters::line_of_sight(Counted_line_of_sight(mesh, lines)));
   std::cout << result.number_of_segments() << " segments by " << lines << " exact lines of sight\n";
   return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "own_line_of_sight: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }

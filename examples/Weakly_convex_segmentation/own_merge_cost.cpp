@@ -10,8 +10,10 @@
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 namespace WCS = CGAL::Weakly_convex_segmentation;
@@ -37,14 +39,12 @@ public:
 };
 
 int main(int argc, char* argv[])
+try
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("octopus.ply");
   Point_set points; // without normals in the file they are estimated
-  if (!CGAL::IO::read_point_set(filename, points))
-  {
-    std::cerr << filename << " holds no points\n";
-    return EXIT_FAILURE;
-  }
+  if (!CGAL::IO::read_point_set(filename, points) || points.empty())
+    throw std::runtime_error("no points can be read from " + filename);
   auto label = points.add_property_map<int>("label").first;
 
   for (const double weight : {0.5, 1., 2.})
@@ -54,4 +54,9 @@ int main(int argc, char* argv[])
     std::cout << "weight " << weight << ": " << result.number_of_segments() << " segments\n";
   }
   return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "own_merge_cost: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }

@@ -13,9 +13,11 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <iterator>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,17 +46,16 @@ struct Part_map
 };
 
 int main(int argc, char* argv[])
+try
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("octopus.ply");
   std::vector<Oriented> read;
   if (!CGAL::IO::read_points(
           filename, std::back_inserter(read),
           CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
-              .normal_map(CGAL::Second_of_pair_property_map<Oriented>())))
-  {
-    std::cerr << filename << " holds no points\n";
-    return EXIT_FAILURE;
-  }
+              .normal_map(CGAL::Second_of_pair_property_map<Oriented>())) ||
+      read.empty())
+    throw std::runtime_error("no points can be read from " + filename);
   std::vector<Sample> samples;
   for (const auto& [position, normal] : read) samples.push_back({position, normal, -1});
 
@@ -73,4 +74,9 @@ int main(int argc, char* argv[])
   std::cout << result.number_of_segments() << " segments, the first sample is in "
             << samples.front().part << '\n';
   return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "segment_custom_container: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }

@@ -13,7 +13,9 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -21,15 +23,14 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Face = Mesh::Face_index;
 
 int main(int argc, char* argv[])
+try
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("figure.off");
   const std::string other = argc > 2 ? argv[2] : CGAL::data_file_path("dumbbell.off");
   Mesh mesh, second;
-  if (!CGAL::IO::read_polygon_mesh(filename, mesh) || !CGAL::IO::read_polygon_mesh(other, second))
-  {
-    std::cerr << filename << " or " << other << " holds no manifold mesh\n";
-    return EXIT_FAILURE;
-  }
+  if (!CGAL::IO::read_polygon_mesh(filename, mesh) || !CGAL::IO::read_polygon_mesh(other, second) ||
+      mesh.number_of_faces() == 0)
+    throw std::runtime_error("no manifold mesh can be read from " + filename + " or " + other);
   const Face of_figure = *mesh.faces().begin();
   mesh.join(second);
 
@@ -47,4 +48,9 @@ int main(int argc, char* argv[])
   std::cout << result.number_of_segments() << " segments on " << labeled << " of "
             << mesh.number_of_faces() << " faces\n";
   return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "segment_part_of_mesh: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }

@@ -10,21 +10,21 @@
 #include <CGAL/weakly_convex_segmentation.h>
 
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 
 int main(int argc, char* argv[])
+try
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("octopus.ply");
   Point_set points; // without normals in the file they are estimated
-  if (!CGAL::IO::read_point_set(filename, points))
-  {
-    std::cerr << filename << " holds no points\n";
-    return EXIT_FAILURE;
-  }
+  if (!CGAL::IO::read_point_set(filename, points) || points.empty())
+    throw std::runtime_error("no points can be read from " + filename);
   Point_set::Property_map<int> labels = points.add_property_map<int>("label", -1).first;
 
   // Parallel_if_available_tag uses TBB in programs that are linked with it.
@@ -34,4 +34,9 @@ int main(int argc, char* argv[])
   std::cout << points.size() << " points in " << result.number_of_segments() << " segments\n";
   std::cout << "the first point is in segment " << labels[*points.begin()] << '\n';
   return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "segment_point_set: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }

@@ -14,7 +14,9 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -23,14 +25,12 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 int main(int argc, char* argv[])
+try
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("figure.off");
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(filename, mesh))
-  {
-    std::cerr << filename << " holds no manifold mesh\n";
-    return EXIT_FAILURE;
-  }
+  if (!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+    throw std::runtime_error("no manifold mesh can be read from " + filename);
 
   auto label = mesh.add_property_map<Mesh::Face_index, int>("f:label").first;
   const auto result = CGAL::weakly_convex_segmentation(mesh, label);
@@ -57,4 +57,9 @@ int main(int argc, char* argv[])
   std::cout << result.number_of_segments() << " segments, " << parts.size() << " meshes of "
             << number_of_faces << " faces in all\n";
   return number_of_faces == cut.polygons.size() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "split_into_meshes: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }

@@ -12,8 +12,10 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <functional>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -36,15 +38,13 @@ private:
 };
 
 int main(int argc, char* argv[])
+try
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("figure.off");
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
-  if (!CGAL::IO::read_polygon_soup(filename, points, polygons))
-  {
-    std::cerr << filename << " holds no polygons\n";
-    return EXIT_FAILURE;
-  }
+  if (!CGAL::IO::read_polygon_soup(filename, points, polygons) || polygons.empty())
+    throw std::runtime_error("no polygons can be read from " + filename);
 
   Stage_printer printer;
   const WCS::Result result = CGAL::weakly_convex_segmentation_of_soup(
@@ -60,4 +60,9 @@ int main(int argc, char* argv[])
               << *std::max_element(sizes.begin(), sizes.end()) << " faces\n";
   }
   return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << "visitor_and_granularity: " << error.what() << '\n';
+  return EXIT_FAILURE;
 }

@@ -7,7 +7,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include "common/run_in_child_process.h"
-#include "report/draw_parts.h"
 #include "scratch_folder.h"
 #include "shapes/shape_generator.h"
 
@@ -22,6 +21,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/wait.h>
@@ -140,37 +140,6 @@ BOOST_AUTO_TEST_CASE(what_happens_to_a_child_is_told)
                  }) == "stopped after 1 s");
 }
 
-BOOST_AUTO_TEST_CASE(a_picture_shows_what_is_in_front)
-{
-  // two squares, one behind the other
-  Draw_parts::Scene scene;
-  for (const double z : {0., 1.})
-    for (const auto& [x, y] : {std::pair(0., 0.), {1., 0.}, {1., 1.}, {0., 1.}})
-      scene.points.push_back({x, y, z});
-  scene.faces = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
-  const std::vector<int> labels = {0, 0, 1, 1};
-  const auto seen = [&](const Draw_parts::View& view)
-  {
-    std::set<int> found;
-    for (const std::size_t e : view.element)
-      if (e != Draw_parts::View::none) found.insert(labels[e]);
-    return found;
-  };
-  const Draw_parts::View above = Draw_parts::look(scene, Draw_parts::Camera::Identity(), 100);
-  BOOST_TEST(seen(above) == std::set<int>{1});
-  const Draw_parts::Camera camera = Draw_parts::best_camera(scene, labels);
-  BOOST_TEST((camera * camera.transpose()).isIdentity(1e-9));
-  BOOST_TEST(seen(Draw_parts::look(scene, camera, 100)).size() == 2u);
-
-  const Scratch_folder folder;
-  Draw_parts::write_picture(above, labels, {{255, 0, 0}, {0, 0, 255}}, folder.file("a.ppm"));
-  const std::string picture = folder.read("a.ppm");
-  BOOST_TEST(picture.size() == std::string("P6\n50 50\n255\n").size() + 50u * 50u * 3u);
-  const std::size_t middle = picture.size() - 3u * (25u * 50u + 25u);
-  BOOST_TEST(static_cast<unsigned char>(picture[middle]) == 0u);      // no red
-  BOOST_TEST(static_cast<unsigned char>(picture[middle + 2]) > 100u); // but blue
-}
-
 BOOST_AUTO_TEST_CASE(one_model_is_scored_by_all_methods)
 {
   const Scratch_folder folder;
@@ -179,8 +148,8 @@ BOOST_AUTO_TEST_CASE(one_model_is_scored_by_all_methods)
                                    " data 1 --json 1.json --pictures pictures --labels labels "
                                    "--methods default,lines_of_sight_told,one_segment,people") ==
              0);
-  BOOST_TEST(folder.has("pictures/1_ours.ppm"));
-  BOOST_TEST(folder.has("pictures/1_person.ppm"));
+  BOOST_TEST(folder.has("pictures/1_ours.png"));
+  BOOST_TEST(folder.has("pictures/1_person.png"));
   BOOST_TEST(folder.has("labels/1_patches.seg"));
   const Json json = Json::parse(folder.read("1.json"));
   BOOST_TEST(json["category"] == "Human");
@@ -250,7 +219,7 @@ BOOST_AUTO_TEST_CASE(the_runner_goes_on_and_tells_of_failures)
   BOOST_REQUIRE(corpus["shapes"].size() == 1u);
   BOOST_TEST(corpus["shapes"][0]["number_of_segments"] == 2);
   BOOST_TEST(corpus["failures"].contains("broken.ply"));
-  BOOST_TEST(folder.has("corpus/pictures/more_a.off.ppm"));
+  BOOST_TEST(folder.has("corpus/pictures/more_a.off.png"));
   BOOST_TEST(exit_code(folder, runner() + "merge corpus") == 0);
 }
 
@@ -329,11 +298,11 @@ BOOST_AUTO_TEST_CASE(labelings_of_a_shape_are_drawn_from_one_side)
   const Scratch_folder folder;
   write_model(folder, 1, "dumbbell");
   const std::string labels = " data/seg/Benchmark/1/1_";
-  const std::string run = program("draw_labels") + " data/off/1.off" + labels + "0.seg a.ppm";
-  BOOST_TEST(exit_code(folder, run + labels + "1.seg b.ppm" + labels + "0.seg c.ppm") == 0);
-  BOOST_TEST(folder.read("a.ppm") == folder.read("c.ppm"));
-  BOOST_TEST(folder.read("a.ppm") != folder.read("b.ppm"));
-  BOOST_TEST(folder.read("a.ppm").size() == folder.read("b.ppm").size());
+  const std::string run = program("draw_labels") + " data/off/1.off" + labels + "0.seg a.png";
+  BOOST_TEST(exit_code(folder, run + labels + "1.seg b.png" + labels + "0.seg c.png") == 0);
+  BOOST_TEST(folder.read("a.png") == folder.read("c.png"));
+  BOOST_TEST(folder.read("a.png") != folder.read("b.png"));
+  BOOST_TEST(folder.read("a.png").size() == folder.read("b.png").size());
   BOOST_TEST(exit_code(folder, run + labels + "1.seg") == 1); // without a picture to make
 }
 

@@ -204,6 +204,25 @@ BOOST_AUTO_TEST_CASE(stage_names_are_distinct)
   BOOST_CHECK_EQUAL(WCS::stage_name(Stage::STATISTICS), std::string("statistics"));
 }
 
+BOOST_AUTO_TEST_CASE(the_shares_of_the_stages_add_up_to_the_whole)
+{
+  using WCS::internal::stage_shares;
+  for (const std::size_t points : {0u, 4000u, 1000000u})
+    for (const bool has_given_normals : {false, true})
+    {
+      const auto shares = stage_shares(points, has_given_normals);
+      BOOST_CHECK_EQUAL(shares.back(), 1.);
+      BOOST_CHECK_GT(shares.front(), 0.);
+      for (std::size_t i = 1; i < shares.size(); ++i) BOOST_CHECK_GT(shares[i], shares[i - 1]);
+    }
+  // as measured: patches and their agreement take most of the time of a small cloud, little of that of a large mesh
+  const auto until = [](const auto& shares, const Stage s)
+  { return shares[static_cast<std::size_t>(s) + 1]; };
+  const auto small = stage_shares(4000, true), large = stage_shares(1000000, false);
+  BOOST_CHECK_GT(until(small, Stage::CONSENSUS) - until(small, Stage::NEIGHBORS), 0.7);
+  BOOST_CHECK_LT(until(large, Stage::CONSENSUS) - until(large, Stage::NEIGHBORS), 0.1);
+}
+
 BOOST_AUTO_TEST_CASE(progress_grows_from_0_to_1_and_may_stop_anywhere)
 {
   std::vector<double> progress;

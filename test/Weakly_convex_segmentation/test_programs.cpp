@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 #include <string>
@@ -304,6 +305,39 @@ BOOST_AUTO_TEST_CASE(what_was_mistyped_is_told)
   BOOST_TEST(error("segment_shape", {"--xyzzy"}).find("did you mean") == std::string::npos);
   for (const std::string program : {"segment_shape", "segment_scene", "scan_shape", "make_shapes"})
     BOOST_TEST(run(folder, program, {"-h"}).out.find("--output") != std::string::npos);
+}
+
+// `script` runs it on a terminal, for which alone the line is.
+BOOST_AUTO_TEST_CASE(a_terminal_shows_how_far_the_work_is)
+{
+  const Scratch_folder folder;
+  folder.write("a.off", off_or_obj(true));
+  const std::string program = std::string(std::getenv("WCS_BIN_DIR")) + "/segment_shape";
+  const std::string command = "cd " + quoted(folder.path().string()) + " && script -qec " +
+                              quoted(quoted(program) + " a.off -o b.ply --labels b.seg") +
+                              " /dev/null </dev/null >shown";
+  BOOST_REQUIRE(std::system(command.c_str()) == 0);
+  std::vector<std::string> steps;
+  int last = 0;
+  std::string shown = folder.read("shown");
+  const std::string wipe = "\r\033[K";
+  for (std::size_t i = 0; (i = shown.find(wipe, i)) != std::string::npos;)
+  {
+    i += wipe.size();
+    const std::string line = shown.substr(i, shown.find(wipe, i) - i);
+    const std::size_t unit = line.find(" % ");
+    if (unit == std::string::npos || unit > 3) continue; // what comes when it is over
+    BOOST_TEST(std::stoi(line) >= last);
+    last = std::stoi(line);
+    const std::string step = line.substr(unit + 3);
+    if (steps.empty() || steps.back() != step) steps.push_back(step);
+  }
+  BOOST_TEST(last > 90);
+  const std::vector<std::string> expected = {
+      "reading a.off", "preparation", "sampling",      "neighbors",    "patches",
+      "visibility",    "signatures",  "agreement",     "fusion",       "merging",
+      "refinement",    "statistics",  "writing b.ply", "writing b.seg"};
+  BOOST_TEST(steps == expected, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(help_and_version_are_printed)

@@ -215,10 +215,11 @@ Shape read_shape(const std::string& path, const Gaps gaps)
   const std::string where = is_standard_input ? "standard input" : "'" + path + "'";
   try
   {
-    const internal::Format format =
-        is_standard_input ? internal::Format() : internal::format_of(path);
+    // first what is there: a folder has no extension either
     std::string bytes =
         is_standard_input ? internal::stream_bytes(std::cin) : internal::file_bytes(path);
+    const internal::Format format =
+        is_standard_input ? internal::Format() : internal::format_of(path);
     const auto folder = std::filesystem::path(path).parent_path();
     internal::read_bytes(bytes, format,
                          is_standard_input ? ""

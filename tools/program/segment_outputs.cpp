@@ -81,10 +81,10 @@ std::string name_of_part(const std::size_t label, const Shape_io::Parts& parts)
 
 } // namespace
 
-Outputs::Outputs(const Options& options)
-  : m_options(options), m_parts(open(options.parts_file)), m_labels(open(options.labels_file)),
-    m_stats(open(options.stats_file)), m_hulls(open(has_hull_folder(options) ? "" : options.hulls)),
-    m_view(open(options.view_file))
+Outputs::Outputs(const Options& options, Progress_line& progress)
+  : m_options(options), m_progress(progress), m_parts(open(options.parts_file)),
+    m_labels(open(options.labels_file)), m_stats(open(options.stats_file)),
+    m_hulls(open(has_hull_folder(options) ? "" : options.hulls)), m_view(open(options.view_file))
 {
   if (!options.split_folder.empty()) m_folder.emplace(options.split_folder, "part");
   if (has_hull_folder(options)) m_hull_folder.emplace(options.hulls, "hull");
@@ -92,10 +92,12 @@ Outputs::Outputs(const Options& options)
 
 void Outputs::write(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
 {
-  if (m_parts) write_shape(*m_parts, m_options.parts_file, shape, parts, m_options.ascii);
+  if (begins(m_parts, m_options.parts_file))
+    write_shape(*m_parts, m_options.parts_file, shape, parts, m_options.ascii);
   Program_errors::Interruption::check(); // a large shape takes seconds a file
-  if (m_labels) Shape_io::write_labels(m_labels->stream(), parts.labels);
-  if (m_hulls || m_hull_folder) write_hulls(shape, parts);
+  if (begins(m_labels, m_options.labels_file))
+    Shape_io::write_labels(m_labels->stream(), parts.labels);
+  if (m_hull_folder || begins(m_hulls, m_options.hulls)) write_hulls(shape, parts);
   if (m_folder && m_options.is_closed)
     write_closed_parts(shape, parts);
   else if (m_folder)
@@ -110,7 +112,8 @@ void Outputs::write_stats(const Shape_io::Shape& shape, const Run& run)
 void Outputs::write_view(const std::optional<View_page>& page, const Shape_io::Shape& shape,
                          const std::vector<View_stage>& stages, const Run& run)
 {
-  if (m_view) page->write(m_view->stream(), m_options, shape, stages, run);
+  if (begins(m_view, m_options.view_file))
+    page->write(m_view->stream(), m_options, shape, stages, run);
 }
 
 void Outputs::finish()
@@ -132,6 +135,12 @@ Outputs::File Outputs::open(const std::string& path)
   if (path.empty()) return nullptr;
   m_files.push_back(std::make_unique<Shape_io::Atomic_file>(path));
   return m_files.back().get();
+}
+
+bool Outputs::begins(const File file, const std::string& path)
+{
+  if (file != nullptr) m_progress.writing(path);
+  return file != nullptr;
 }
 
 void Outputs::write_hulls(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
@@ -191,6 +200,7 @@ void Outputs::write_separate_part(const Shape_io::Shape& part, const Shape_io::P
   // OBJ keeps the most of what has materials: no other format of ours names their files
   const std::string path = m_folder->path_of(name, part.is_textured_obj ? ".obj" : ".ply");
   const File file = open(path);
+  m_progress.writing(path);
   write_shape(*file, path, part, own, m_options.ascii);
   file->finish();
 }

@@ -9,6 +9,7 @@
 #include "io/shape.h"
 #include "io/write_parts.h"
 #include "program/segment_options.h"
+#include "program/segment_progress.h"
 #include "program/segment_report.h"
 #include "program/split_folder.h"
 #include "view/write_view.h"
@@ -28,7 +29,7 @@ namespace Segment_shape {
 class Outputs
 {
 public:
-  explicit Outputs(const Options& options);
+  Outputs(const Options& options, Progress_line& progress);
 
   void write(const Shape_io::Shape& shape, const Shape_io::Parts& parts);
 
@@ -52,6 +53,9 @@ private:
 
   File open(const std::string& path);
 
+  // Of the file that is written next, if it is asked for.
+  bool begins(File file, const std::string& path);
+
   void write_hulls(const Shape_io::Shape& shape, const Shape_io::Parts& parts);
   void write_hull_file(const Shape_io::Part_hulls& hulls, const Shape_io::Parts& parts);
   void note_hulls(const Shape_io::Shape& shape, const Shape_io::Part_hulls& result);
@@ -65,6 +69,7 @@ private:
   void write_closed_parts(const Shape_io::Shape& shape, const Shape_io::Parts& parts);
 
   const Options& m_options;
+  Progress_line& m_progress;
   std::optional<Split_folder> m_folder, m_hull_folder; // before the files, which lie in them
   std::vector<std::unique_ptr<Shape_io::Atomic_file>> m_files;
   File m_parts, m_labels, m_stats, m_hulls, m_view;

@@ -3,6 +3,8 @@
 
 #include "program/segment_progress.h"
 
+#include "program/program_errors.h"
+
 #include <chrono>
 #include <cstddef>
 #include <iostream>
@@ -17,7 +19,7 @@ double Stopwatch::seconds() const
 
 void Stage_times::stage_begins(const WCS::Stage stage)
 {
-  m_stage = stage;
+  m_name = WCS::stage_name(stage);
   m_stopwatch = Stopwatch();
 }
 
@@ -26,17 +28,33 @@ void Stage_times::stage_ends(const WCS::Stage stage, std::size_t)
   m_seconds[static_cast<std::size_t>(stage)] += m_stopwatch.seconds();
 }
 
-Progress_line::~Progress_line()
+void Progress_line::reading(const std::string& name) { show(0., "reading " + name); }
+
+void Progress_line::segmenting(const double share, const std::string& stage)
 {
-  if (m_percent >= 0) std::cerr << "\r\033[K" << std::flush;
+  show(share_of_reading + (1. - share_of_reading - share_of_writing) * share, stage);
 }
 
+void Progress_line::writing(const std::string& path)
+{
+  show(1. - share_of_writing, "writing " + path);
+}
+
+void Progress_line::wipe()
+{
+  if (!m_shown.empty()) std::cerr << "\r\033[K" << std::flush;
+  m_shown.clear();
+}
+
+// A name may hold line ends, and be too long for the line, which then could not be wiped.
 void Progress_line::show(const double share, const std::string& what)
 {
-  const int percent = static_cast<int>(100. * share);
-  if (!m_is_shown || percent == m_percent) return;
-  m_percent = percent;
-  std::cerr << "\r\033[K" << percent << " % " << what << std::flush;
+  constexpr std::size_t longest = 60;
+  std::string line = std::to_string(static_cast<int>(100. * share)) + " % ";
+  line += Program_errors::one_line(what).substr(0, longest);
+  if (!m_is_shown || line == m_shown) return;
+  m_shown = line;
+  std::cerr << "\r\033[K" << line << std::flush;
 }
 
 } // namespace Segment_shape

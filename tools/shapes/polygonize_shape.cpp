@@ -205,8 +205,8 @@ double find_cell_size(const Implicit_shape& shape, std::size_t number_of_faces, 
 
 } // namespace
 
-Polygonized_shape polygonize(const Implicit_shape& shape, std::size_t number_of_faces,
-                             unsigned seed)
+Polygonized_shape polygonize(const std::string& name, const Implicit_shape& shape,
+                             std::size_t number_of_faces, unsigned seed)
 {
   std::mt19937 generator(seed);
   // Now and then a grid meets the surface in a way that pinches the net or makes a needle of a
@@ -234,7 +234,7 @@ Polygonized_shape polygonize(const Implicit_shape& shape, std::size_t number_of_
     return result;
   }
   throw std::runtime_error("Shape_generator: the grid for " + std::to_string(number_of_faces) +
-                           " faces is too coarse for the shape; ask for more faces");
+                           " faces is too coarse for the shape " + name + "; ask for more faces");
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <random>
+#include <string>
 #include <vector>
 
 // From an implicit shape to a triangle mesh of a wanted size with a part label for each face.
@@ -28,8 +29,9 @@ struct Polygonized_shape
   std::vector<int> labels;
 };
 
-Polygonized_shape polygonize(const Implicit_shape& shape, std::size_t number_of_faces,
-                             unsigned seed);
+// The name is for the message if the shape is finer than so many faces can be.
+Polygonized_shape polygonize(const std::string& name, const Implicit_shape& shape,
+                             std::size_t number_of_faces, unsigned seed);
 
 } // namespace internal
 } // namespace Shape_generator

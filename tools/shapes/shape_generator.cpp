@@ -52,9 +52,10 @@ Implicit_shape implicit_shape(const std::string& name)
 
 namespace {
 
-Labeled_mesh polygonized(const Implicit_shape& shape, std::size_t number_of_faces, unsigned seed)
+Labeled_mesh polygonized(const std::string& name, std::size_t number_of_faces, unsigned seed)
 {
-  Polygonized_shape mesh = polygonize(shape, number_of_faces, seed);
+  const Implicit_shape shape = implicit_shape(name);
+  Polygonized_shape mesh = polygonize(name, shape, number_of_faces, seed);
   return {std::move(mesh.points), std::move(mesh.faces), std::move(mesh.labels),
           shape.part_names()};
 }
@@ -92,17 +93,16 @@ std::vector<std::string> shape_names()
 Labeled_mesh make_mesh(const std::string& name, std::size_t approximate_number_of_faces,
                        unsigned seed)
 {
-  const Implicit_shape shape = internal::implicit_shape(name);
   if (approximate_number_of_faces < 1000)
     throw std::invalid_argument("Shape_generator: " + std::to_string(approximate_number_of_faces) +
                                 " faces are too few for a shape; ask for 1000 or more");
-  return internal::polygonized(shape, approximate_number_of_faces, seed);
+  return internal::polygonized(name, approximate_number_of_faces, seed);
 }
 
 Labeled_cloud make_cloud(const std::string& name, std::size_t number_of_points, unsigned seed)
 {
   const Implicit_shape shape = internal::implicit_shape(name);
-  const Labeled_mesh mesh = internal::polygonized(shape, 12000, 0);
+  const Labeled_mesh mesh = internal::polygonized(name, 12000, 0);
   std::vector<double> area_up_to;
   double area = 0;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)

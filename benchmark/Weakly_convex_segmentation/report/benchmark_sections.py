@@ -51,7 +51,7 @@ class Drawn_models:
         if "person" in labels:
             labels["person"] = self.person(model)
         labels = {m: path for m, path in labels.items() if path.exists()}
-        drawn = {m: self.out / "drawn" / f"{model}_{m}.ppm" for m in labels}
+        drawn = {m: self.out / "drawn" / f"{model}_{m}.png" for m in labels}
         command = [self.program, self.data / "off" / f"{model}.off"]
         for m, path in labels.items():
             command += [path, drawn[m]]

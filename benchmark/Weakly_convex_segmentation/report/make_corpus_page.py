@@ -29,7 +29,7 @@ def picture(path):
 
 def figure(folder, shape):
     name = pathlib.Path(shape["input"]).name
-    found = sorted(folder.glob(f"*{name}.ppm"), key=lambda p: len(p.name))
+    found = sorted(folder.glob(f"*{name}.png"), key=lambda p: len(p.name))
     size = shape["number_of_faces"] or shape["number_of_points"]
     caption = (
         f"{html.escape(name)}: {size:,} {'faces' if shape['number_of_faces'] else 'points'}, "

@@ -178,7 +178,7 @@ def sensitivity_section(path):
 
 def picture(folder, model):
     """Ours left, one person's right, as JPEG."""
-    pair = [folder / f"{model}_{side}.ppm" for side in ("ours", "person")]
+    pair = [folder / f"{model}_{side}.png" for side in ("ours", "person")]
     if not all(path.exists() for path in pair):
         return ""
     left, right = (Image.open(path) for path in pair)

@@ -103,7 +103,7 @@ inline Shape_generator::Labeled_mesh make_mesh(const std::string& name, const st
       {"left leg", &limbs.left_leg},
       {"right leg", &limbs.right_leg}};
   for (const auto& [part, stations] : parts) shape.add_limb(shape.add_part(part), *stations);
-  auto mesh = Shape_generator::internal::polygonize(shape, faces, 0);
+  auto mesh = Shape_generator::internal::polygonize(name, shape, faces, 0);
   return {std::move(mesh.points), std::move(mesh.faces), std::move(mesh.labels),
           shape.part_names()};
 }

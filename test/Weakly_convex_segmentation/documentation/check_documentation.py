@@ -27,7 +27,7 @@ import urllib.parse
 MARKDOWN = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "benchmark/Weakly_convex_segmentation/README.md")
 MANUAL = pathlib.Path("doc/Weakly_convex_segmentation")
 FOLDERS = ("include", "tools", "examples", "test", "benchmark", "doc", "package_info", "scripts", "cmake", r"\.ci")
-NOT_OURS = {"cmake", "ctest", "f3d", "parallel", "seq", "git", "mkdir", "#SBATCH"}
+NOT_OURS = {"cmake", "ctest", "parallel", "seq", "git", "mkdir", "#SBATCH"}
 OPTIONS_OF_OTHERS = {"--joblog", "--resume-failed", "--sshloginfile"}  # GNU parallel
 
 

@@ -33,3 +33,18 @@ endif()
 
 run("${CMAKE_COMMAND}" --build "${build}")
 run("${build}/outside_project")
+
+# Who forgets about the build type, and would wait a hundred times as long for parts, is told so: CGAL's config
+# does it, which ours finds. Once, and not without need.
+foreach(type "" Release)
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${SCRATCH_DIR}/told${type}" -G "${GENERATOR}"
+            "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+            "-DCMAKE_BUILD_TYPE=${type}"
+    OUTPUT_VARIABLE told ERROR_VARIABLE told COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "CMAKE_BUILD_TYPE[ \n]+is[ \n]+set" warnings "${told}")
+  list(LENGTH warnings number)
+  if(type STREQUAL "" AND NOT number EQUAL 1 OR type STREQUAL "Release" AND NOT number EQUAL 0)
+    message(FATAL_ERROR "${number} warnings of the build type '${type}':\n${told}")
+  endif()
+endforeach()

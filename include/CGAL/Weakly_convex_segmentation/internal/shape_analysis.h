@@ -229,6 +229,7 @@ inline std::unique_ptr<Shape_analysis> analyze_shape(Raw_shape raw, const Parame
     attach_strays(positions, roles, shape->input);
     return shape->points().size();
   };
+  control.begin_stages(raw.positions.size(), has_given_normals);
   control.stage(Stage::SAMPLING, sample);
   control.stage(Stage::NEIGHBORS,
                 [&] { return find_neighbors(parameters, control, has_given_normals, *shape); });

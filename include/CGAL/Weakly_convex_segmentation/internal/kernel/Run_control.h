@@ -13,6 +13,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/Visitor.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Function_ref.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/stage_shares.h>
 
 #include <chrono>
 #include <cstddef>
@@ -37,6 +38,7 @@ struct Run_control
   mutable Clock::time_point asked_time = Clock::time_point();
   mutable std::thread::id asking_thread = {};
   mutable std::size_t skipped = 0;
+  mutable Stage_shares shares = stage_shares(0, true); // of the input at hand
 
   void progress(const double share) const
   {
@@ -72,13 +74,20 @@ struct Run_control
     if (asks_on_this_thread() && ++skipped % 1024 == 0) check();
   }
 
+  /// the input is prepared, and the stages begin.
+  void begin_stages(const std::size_t number_of_points, const bool has_given_normals) const
+  {
+    shares = stage_shares(number_of_points, has_given_normals);
+    progress(shares[0]);
+  }
+
   /// runs one stage between its events; `work` returns the number of things made.
   void stage(const Stage stage, const Function_ref<std::size_t()> work) const
   {
     if (visitor != nullptr) visitor->stage_begins(stage);
     const std::size_t size = work();
     if (visitor != nullptr) visitor->stage_ends(stage, size);
-    progress((static_cast<double>(stage) + 1.) / number_of_stages);
+    progress(shares[static_cast<std::size_t>(stage) + 1]);
   }
 };
 
