@@ -7,6 +7,7 @@
 
 #include "io/atomic_file.h"
 #include "io/read_shape.h"
+#include "program/command_line.h"
 #include "program/interruption.h"
 #include "program/program_errors.h"
 
@@ -36,22 +37,18 @@ bool read_options(const int argc, char** argv, Options& options)
   po::options_description visible("draw_parts PARTS.ply... -o PICTURE.png [options]\n"
                                   "draws the parts that segment_shape has written, each shape from "
                                   "the side that shows most of them\nOptions");
-  visible.add_options()("help", "print this")("output,o", po::value(&options.output),
-                                              "picture to write (PNG)")(
+  visible.add_options()("help,h", "print this")("output,o", po::value(&options.output),
+                                                "picture to write (PNG)")(
       "size", po::value(&options.size)->default_value(480), "pixels a shape, 16 to 4000")(
       "up", po::value(&options.up)->default_value("z"), "which axis is upwards: x, y or z");
-  po::options_description all;
-  all.add(visible).add_options()("input", po::value(&options.inputs), "");
-  po::positional_options_description positional;
-  positional.add("input", -1);
-  po::variables_map map;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), map);
+  const po::variables_map map =
+      Command_line::parsed("draw_parts", argc, argv, visible, "input", -1);
   if (map.count("help") > 0)
   {
     std::cout << visible;
     return false;
   }
-  po::notify(map);
+  if (map.count("input") > 0) options.inputs = map["input"].as<std::vector<std::string>>();
   if (options.inputs.empty())
     throw std::invalid_argument("there is nothing to draw; give PARTS.ply of segment_shape");
   if (options.output.empty())

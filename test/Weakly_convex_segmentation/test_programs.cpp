@@ -303,7 +303,8 @@ BOOST_AUTO_TEST_CASE(what_was_mistyped_is_told)
   BOOST_TEST(has(error("scan_shape", {"--veiws", "3"}), "--views"));
   BOOST_TEST(has(error("make_shapes", {"figrue"}), "figure"));
   BOOST_TEST(error("segment_shape", {"--xyzzy"}).find("did you mean") == std::string::npos);
-  for (const std::string program : {"segment_shape", "segment_scene", "scan_shape", "make_shapes"})
+  for (const std::string program :
+       {"segment_shape", "segment_scene", "scan_shape", "make_shapes", "draw_parts"})
     BOOST_TEST(run(folder, program, {"-h"}).out.find("--output") != std::string::npos);
 }
 
