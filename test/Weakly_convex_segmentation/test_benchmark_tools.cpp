@@ -302,7 +302,8 @@ BOOST_AUTO_TEST_CASE(labelings_of_a_shape_are_drawn_from_one_side)
   BOOST_TEST(exit_code(folder, run + labels + "1.seg b.png" + labels + "0.seg c.png") == 0);
   BOOST_TEST(folder.read("a.png") == folder.read("c.png"));
   BOOST_TEST(folder.read("a.png") != folder.read("b.png"));
-  BOOST_TEST(folder.read("a.png").size() == folder.read("b.png").size());
+  // width and height
+  BOOST_TEST(folder.read("a.png").substr(16, 8) == folder.read("b.png").substr(16, 8));
   BOOST_TEST(exit_code(folder, run + labels + "1.seg") == 1); // without a picture to make
 }
 
