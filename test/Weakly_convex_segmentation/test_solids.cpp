@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(hulls_come_as_near_as_asked_for)
   for (const auto& hull : near.hulls)
   {
     BOOST_TEST(hull.error <= .03);
-    sum += volume({hull.points, {}, hull.triangles, {}, {}, {}});
+    sum += volume(Shape_io::mesh_of_hulls({hull}));
   }
   BOOST_TEST(sum > volume(ring)); // nothing of it is left out
   BOOST_TEST(sum < 1.3 * volume(ring));

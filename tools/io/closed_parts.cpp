@@ -26,7 +26,8 @@ namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Polygons = std::vector<std::vector<std::size_t>>;
 
-// From the surface inwards a little, so that what is jagged there is not so within; otherwise where that crosses something.
+// From the surface inwards a little, so that what is jagged there is not so within; otherwise where that crosses
+// something.
 constexpr double depths[] = {.1, .3, 1., .02};
 
 // A border with its caps.

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-// Colors for the parts of a shape: the same from run to run, no two the same while there are no more than 20, and clearly
-// different for neighbors, to color-blind people too.
+// Colors for the parts of a shape: the same from run to run, no two the same while there are no more than 20, and
+// clearly different for neighbors, to color-blind people too.
 
 namespace Shape_io {
 

@@ -23,8 +23,8 @@ namespace Segment_shape {
 
 namespace {
 
-// Gives the solid what the input has of its own faces; caps have no corner values and no words, else 0, and are told by a
-// property.
+// Gives the solid what the input has of its own faces; caps have no corner values and no words, else 0, and are told
+// by a property.
 void add_properties(const Shape_io::Shape& own, const std::size_t number_of_own,
                     Shape_io::Shape& solid)
 {

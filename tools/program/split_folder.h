@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-// The folders of segment_shape --split and --hulls. Parts of an earlier run that this run has no part for would look like
-// parts of this shape.
+// The folders of segment_shape --split and --hulls. Parts of an earlier run that this run has no part for would look
+// like parts of this shape.
 
 namespace Segment_shape {
 
-// The folder with its files, `part_0.ply`, `part_1.ply`, ..., or `hull_0.obj`, ...: commit() removes those of an earlier run
-// that were not written anew.
+// The folder with its files, `part_0.ply`, `part_1.ply`, ..., or `hull_0.obj`, ...: commit() removes those of an
+// earlier run that were not written anew.
 class Split_folder
 {
 public:
