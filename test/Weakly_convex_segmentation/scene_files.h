@@ -67,6 +67,37 @@ inline std::string gltf(const std::string& uri, const std::string& nodes = "[{\"
          "\"componentType\":5123,\"count\":12,\"type\":\"SCALAR\"}]}";
 }
 
+// One triangle twice, with texture coordinates, normals, colors and a material each.
+inline std::string textured_gltf()
+{
+  std::string buffer;
+  for (const float f : {0.f, 0.f, 0.f, 1.f, 0.f,  0.f,   0.f, 1.f, 0.f,  // points
+                        0.f, 0.f, 1.f, 0.f, 0.5f, 0.25f,                 // texture coordinates
+                        0.f, 0.f, 1.f, 0.f, 0.f,  1.f,   0.f, 0.f, 1.f,  // normals
+                        1.f, 0.f, 0.f, 0.f, 1.f,  0.f,   0.f, 0.f, 1.f}) // colors
+    Pcd_files::append(buffer, f);
+  std::string views, accessors;
+  const std::vector<std::pair<int, std::string>> tables = {
+      {0, "VEC3"}, {36, "VEC2"}, {60, "VEC3"}, {96, "VEC3"}};
+  for (std::size_t i = 0; i < tables.size(); ++i)
+  {
+    const auto& [offset, type] = tables[i];
+    const std::string comma = i > 0 ? "," : "", size = type == "VEC2" ? "24" : "36";
+    views += comma + "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
+             ",\"byteLength\":" + size + "}";
+    accessors += comma + "{\"bufferView\":" + std::to_string(i) +
+                 ",\"componentType\":5126,\"count\":3,\"type\":\"" + type + "\"}";
+  }
+  const std::string primitive = "{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1,\"NORMAL\":2,"
+                                "\"COLOR_0\":3},\"material\":";
+  return "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{"
+         "\"mesh\":0}],\"materials\":[{\"name\":\"wood\"},{\"name\":\"steel\"}],\"meshes\":[{"
+         "\"primitives\":[" +
+         primitive + "1}," + primitive +
+         "0}]}],\"buffers\":[{\"byteLength\":132,\"uri\":\"data:application/octet-stream;base64," +
+         base64(buffer) + "\"}],\"bufferViews\":[" + views + "],\"accessors\":[" + accessors + "]}";
+}
+
 inline std::string glb()
 {
   std::string json = gltf("");

@@ -138,6 +138,28 @@ BOOST_AUTO_TEST_CASE(each_instance_has_its_place)
   BOOST_TEST(shape.face_properties[0].values == (std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1}));
 }
 
+BOOST_AUTO_TEST_CASE(attributes_of_scenes_are_kept)
+{
+  if (!has_scenes()) return;
+  const Shape shape = read("a.gltf", textured_gltf());
+  BOOST_TEST_REQUIRE(shape.points.size() == 6u);
+  BOOST_TEST_REQUIRE(shape.normals.size() == 6u);
+  BOOST_TEST((shape.normals[5] == Shape_io::Vector(0, 0, 1)));
+  BOOST_TEST_REQUIRE(shape.point_properties.size() == 3u);
+  BOOST_TEST(shape.point_properties[1].values == (std::vector<double>{0, 1, 0, 0, 1, 0}));
+  BOOST_TEST_REQUIRE(shape.face_properties.size() == 3u);
+  BOOST_TEST(shape.face_properties[0].name == "texcoord");
+  BOOST_TEST(shape.face_properties[0].values == // glTF counts v downwards
+             (std::vector<double>{0, 1, 1, 1, 0.5, 0.75, 0, 1, 1, 1, 0.5, 0.75}));
+  BOOST_TEST(shape.face_properties[1].name == "material");
+  BOOST_TEST_REQUIRE(shape.face_words.size() == 2u);
+  BOOST_TEST(shape.face_words[0].words.size() == 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+    BOOST_TEST(shape.face_words[0].words[std::size_t(shape.face_properties[1].values[i])] ==
+               (i == 0 ? "steel" : "wood"));
+  BOOST_TEST(has_note(shape, "of its materials only the names"));
+}
+
 BOOST_AUTO_TEST_CASE(items_and_components_of_3mf)
 {
   if (!has_scenes()) return;
