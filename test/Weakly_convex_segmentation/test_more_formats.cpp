@@ -3,18 +3,16 @@
 
 // Scenes (glTF, GLB, 3MF, DAE, FBX) and files that gzip has compressed, all made here.
 
-#include <boost/crc.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "io/gunzip.h"
 #include "io/read_scene.h"
 #include "io/shape_io.h"
-#include "pcd_files.h"
+#include "scene_files.h"
 #include "scratch_folder.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <random>
 #include <sstream>
@@ -26,6 +24,7 @@ BOOST_AUTO_TEST_SUITE(test_more_formats)
 
 namespace {
 
+using namespace Scene_files;
 using Shape_io::Point;
 using Shape_io::Shape;
 
@@ -38,190 +37,6 @@ bool is_built_in(const bool can, const std::string& what)
 
 bool has_scenes() { return is_built_in(Shape_io::internal::can_read_scenes(), "assimp"); }
 bool has_gzip() { return is_built_in(Shape_io::internal::can_gunzip(), "Boost.Iostreams"); }
-
-// --- files ---------------------------------------------------------------------------------------
-
-const std::vector<Point> corners = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-const std::vector<std::vector<std::size_t>> faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-
-std::string base64(const std::string& bytes)
-{
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  for (std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      result += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63];
-  }
-  return result;
-}
-
-std::string gltf_buffer()
-{
-  std::string buffer;
-  for (const Point& p : corners)
-    for (int i = 0; i < 3; ++i) Pcd_files::append(buffer, static_cast<float>(p[i]));
-  for (const auto& face : faces)
-    for (const std::size_t corner : face)
-      Pcd_files::append(buffer, static_cast<std::uint16_t>(corner));
-  return buffer;
-}
-
-std::string embedded()
-{
-  return ",\"uri\":\"data:application/octet-stream;base64," + base64(gltf_buffer()) + '"';
-}
-
-std::string gltf(const std::string& uri, const std::string& nodes = "[{\"mesh\":0}]",
-                 const std::string& primitive = "\"indices\":1")
-{
-  return "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":" +
-         nodes + ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}," + primitive +
-         "}]}],\"buffers\":[{\"byteLength\":72" + uri +
-         "}],\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},{\"buffer\":0,"
-         "\"byteOffset\":48,\"byteLength\":24}],\"accessors\":[{\"bufferView\":0,\"componentType\":"
-         "5126,\"count\":4,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[2,1,1]},{\"bufferView\":1,"
-         "\"componentType\":5123,\"count\":12,\"type\":\"SCALAR\"}]}";
-}
-
-std::string glb()
-{
-  std::string json = gltf("");
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const std::string buffer = gltf_buffer();
-  std::string result = "glTF";
-  Pcd_files::append(result, std::uint32_t(2));
-  Pcd_files::append(result, static_cast<std::uint32_t>(28 + json.size() + buffer.size()));
-  Pcd_files::append(result, static_cast<std::uint32_t>(json.size()));
-  result += "JSON" + json;
-  Pcd_files::append(result, static_cast<std::uint32_t>(buffer.size()));
-  return result + std::string("BIN\0", 4) + buffer;
-}
-
-std::uint32_t crc(const std::string& bytes)
-{
-  boost::crc_32_type result;
-  result.process_bytes(bytes.data(), bytes.size());
-  return result.checksum();
-}
-
-// A zip archive of files that are not compressed.
-std::string zip(const std::vector<std::pair<std::string, std::string>>& files)
-{
-  const auto entry = [](const std::string& name, const std::string& content)
-  {
-    std::string fields("\x14\0\0\0\0\0\0\0\0\0", 10); // stored as it is, no time
-    Pcd_files::append(fields, crc(content));
-    Pcd_files::append(fields, static_cast<std::uint32_t>(content.size()));
-    Pcd_files::append(fields, static_cast<std::uint32_t>(content.size()));
-    Pcd_files::append(fields, static_cast<std::uint16_t>(name.size()));
-    return fields + std::string(2, '\0');
-  };
-  std::string result, directory;
-  for (const auto& [name, content] : files)
-  {
-    directory += std::string("PK\1\2\x14\0", 6) + entry(name, content) + std::string(10, '\0');
-    Pcd_files::append(directory, static_cast<std::uint32_t>(result.size()));
-    directory += name;
-    result += "PK\3\4" + entry(name, content) + name + content;
-  }
-  std::string end("PK\5\6\0\0\0\0", 8);
-  for (int i = 0; i < 2; ++i) Pcd_files::append(end, static_cast<std::uint16_t>(files.size()));
-  Pcd_files::append(end, static_cast<std::uint32_t>(directory.size()));
-  Pcd_files::append(end, static_cast<std::uint32_t>(result.size()));
-  return result + directory + end + std::string(2, '\0');
-}
-
-std::string object_3mf(const int id, const std::string& content)
-{
-  return "<object id=\"" + std::to_string(id) + "\" type=\"model\">" + content + "</object>";
-}
-
-std::string mesh_3mf()
-{
-  std::ostringstream out;
-  out << "<mesh><vertices>";
-  for (const Point& p : corners)
-    out << "<vertex x=\"" << p.x() << "\" y=\"" << p.y() << "\" z=\"" << p.z() << "\"/>";
-  out << "</vertices><triangles>";
-  for (const auto& f : faces)
-    out << "<triangle v1=\"" << f[0] << "\" v2=\"" << f[1] << "\" v3=\"" << f[2] << "\"/>";
-  out << "</triangles></mesh>";
-  return out.str();
-}
-
-std::string file_3mf(const std::string& resources, const std::string& items,
-                     const std::string& other = "3D/other.txt")
-{
-  const std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
-  const std::string schema = "http://schemas.microsoft.com/3dmanufacturing/";
-  return zip(
-      {{"_rels/.rels",
-        xml +
-            "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/"
-            "relationships\"><Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" Type=\"" +
-            schema + "2013/01/3dmodel\"/></Relationships>"},
-       {"3D/3dmodel.model", xml + "<model unit=\"millimeter\" xmlns=\"" + schema +
-                                "core/2015/02\"><resources>" + resources + "</resources><build>" +
-                                items + "</build></model>"},
-       {other, "x"}});
-}
-
-std::string dae(const std::string& asset, const std::string& place = "")
-{
-  std::ostringstream points, indices;
-  for (const Point& p : corners) points << p << ' ';
-  for (const auto& face : faces)
-    for (const std::size_t corner : face) indices << corner << ' ';
-  std::string params;
-  for (const std::string axis : {"X", "Y", "Z"})
-    params += "<param name=\"" + axis + "\" type=\"float\"/>";
-  return "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
-         "version=\"1.4.1\"><asset>" +
-         asset +
-         "</asset><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array "
-         "id=\"pa\" count=\"12\">" +
-         points.str() +
-         "</float_array><technique_common><accessor source=\"#pa\" count=\"4\" stride=\"3\">" +
-         params +
-         "</accessor></technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
-         "source=\"#p\"/></vertices><triangles count=\"4\"><input semantic=\"VERTEX\" "
-         "source=\"#v\" "
-         "offset=\"0\"/><p>" +
-         indices.str() +
-         "</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"
-         "<visual_scene id=\"s\"><node id=\"n\">" +
-         place +
-         "<instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes><scene>"
-         "<instance_visual_scene url=\"#s\"/></scene></COLLADA>";
-}
-
-std::string fbx()
-{
-  return "; FBX 7.3.0 project file\nFBXHeaderExtension:  {\n FBXHeaderVersion: 1003\n FBXVersion: "
-         "7300\n}\n"
-         "Objects:  {\n Geometry: 1, \"Geometry::g\", \"Mesh\" {\n  Vertices: *12 {\n   a: "
-         "0,0,0,2,0,0,0,1,0,0,0,1\n  }\n  PolygonVertexIndex: *12 {\n   a: "
-         "0,2,-2,0,1,-4,0,3,-3,1,2,-4\n  }\n }\n Model: 2, \"Model::m\", \"Mesh\" {\n }\n}\n"
-         "Connections:  {\n C: \"OO\",2,0\n C: \"OO\",1,2\n}\n";
-}
-
-// Compressed as it is, in one stored block.
-std::string gzip(const std::string& bytes)
-{
-  std::string result("\x1f\x8b\x08\0\0\0\0\0\0\xff\1", 11);
-  Pcd_files::append(result, static_cast<std::uint16_t>(bytes.size()));
-  Pcd_files::append(result, static_cast<std::uint16_t>(~bytes.size()));
-  result += bytes;
-  Pcd_files::append(result, crc(bytes));
-  Pcd_files::append(result, static_cast<std::uint32_t>(bytes.size()));
-  return result;
-}
-
-// --- what is read ----------------------------------------------------------------------------------
 
 Shape read(const std::string& name, const std::string& bytes)
 {
@@ -321,6 +136,28 @@ BOOST_AUTO_TEST_CASE(each_instance_has_its_place)
   BOOST_TEST(shape.face_words[0].name == "object");
   BOOST_TEST(shape.face_words[0].words == (std::vector<std::string>{"first", "second"}));
   BOOST_TEST(shape.face_properties[0].values == (std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1}));
+}
+
+BOOST_AUTO_TEST_CASE(attributes_of_scenes_are_kept)
+{
+  if (!has_scenes()) return;
+  const Shape shape = read("a.gltf", textured_gltf());
+  BOOST_TEST_REQUIRE(shape.points.size() == 6u);
+  BOOST_TEST_REQUIRE(shape.normals.size() == 6u);
+  BOOST_TEST((shape.normals[5] == Shape_io::Vector(0, 0, 1)));
+  BOOST_TEST_REQUIRE(shape.point_properties.size() == 3u);
+  BOOST_TEST(shape.point_properties[1].values == (std::vector<double>{0, 1, 0, 0, 1, 0}));
+  BOOST_TEST_REQUIRE(shape.face_properties.size() == 3u);
+  BOOST_TEST(shape.face_properties[0].name == "texcoord");
+  BOOST_TEST(shape.face_properties[0].values == // glTF counts v downwards
+             (std::vector<double>{0, 1, 1, 1, 0.5, 0.75, 0, 1, 1, 1, 0.5, 0.75}));
+  BOOST_TEST(shape.face_properties[1].name == "material");
+  BOOST_TEST_REQUIRE(shape.face_words.size() == 2u);
+  BOOST_TEST(shape.face_words[0].words.size() == 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+    BOOST_TEST(shape.face_words[0].words[std::size_t(shape.face_properties[1].values[i])] ==
+               (i == 0 ? "steel" : "wood"));
+  BOOST_TEST(has_note(shape, "of its materials only the names"));
 }
 
 BOOST_AUTO_TEST_CASE(items_and_components_of_3mf)

@@ -200,6 +200,7 @@ BOOST_AUTO_TEST_CASE(lines_of_ply_files_are_named)
     BOOST_TEST(refusal("t.ply", ply("1 0 0", face)).find("line 13 has ") != std::string::npos);
   BOOST_TEST(refusal("t.ply", ply("1 x 0", "3 0 1 2")).find("line 11: 'x'") != std::string::npos);
   BOOST_TEST(refusal("t.ply", ply("1 0 0", "3 0 1.5 2")).find("line 13: 1.5") != std::string::npos);
+  BOOST_TEST(refusal("t.ply", "ply and no line end").find("no end") != std::string::npos);
   BOOST_TEST(refusal("t.ply", ply("1 0\n0", "3 0\n1 2")) == ""); // no reader relies on lines
 }
 

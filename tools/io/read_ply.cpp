@@ -98,8 +98,8 @@ Ply_header read_ply_header(const std::string& bytes)
     throw std::runtime_error("it does not begin with 'ply'; give it the extension of its format");
   // lines end with a line feed, perhaps behind a carriage return, or with the latter alone, as the first one does
   const std::size_t first_end = bytes.find_first_of("\r\n");
-  const bool has_returns =
-      first_end + 1 < bytes.size() && bytes[first_end] == '\r' && bytes[first_end + 1] != '\n';
+  const bool has_returns = first_end != std::string::npos && first_end + 1 < bytes.size() &&
+                           bytes[first_end] == '\r' && bytes[first_end + 1] != '\n';
   for (bool more = true; more;)
   {
     const std::size_t end = bytes.find(has_returns ? '\r' : '\n', header.size);

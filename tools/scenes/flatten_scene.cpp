@@ -206,8 +206,11 @@ public:
   {
     if (m_has_colors)
     {
+      // where the file has none assimp has 1 or, of glTF, 0
       const auto& alpha = m_colors.back().values;
-      if (std::all_of(alpha.begin(), alpha.end(), [](const double a) { return a == 1.; }))
+      const std::size_t number = alpha.size();
+      if (std::size_t(std::count(alpha.begin(), alpha.end(), 1.)) == number ||
+          std::size_t(std::count(alpha.begin(), alpha.end(), 0.)) == number)
         m_colors.pop_back();
       m_shape.point_properties = std::move(m_colors);
     }
