@@ -9,8 +9,8 @@
 #include <string>
 
 // Reading of meshes (OFF, PLY, OBJ, STL; by assimp glTF, GLB, 3MF, DAE, FBX) and clouds (PLY, PCD, XYZ, PWN, OFF,
-// OBJ, glTF) from files, which gzip may have compressed, and from standard input. Points and faces keep the order of the
-// file; none is moved, dropped or invented.
+// OBJ, glTF) from files, which gzip may have compressed, and from standard input. Points and faces keep the order of
+// the file; none is moved, dropped or invented.
 
 namespace Shape_io {
 namespace internal {
