@@ -18,6 +18,7 @@
 #include <exception>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -227,12 +228,33 @@ double mean_length(const Border& border, const std::vector<Point>& points)
   return sum / count;
 }
 
+// Takes zigzags out of the border; points where it branches stay.
+void smooth(const Border& border, const int rounds, std::vector<Point>& points)
+{
+  std::map<std::size_t, std::set<std::size_t>> beside;
+  for (const auto& of_pair : border)
+    for (const auto& [from, to] : of_pair.second)
+    {
+      beside[from].insert(to);
+      beside[to].insert(from);
+    }
+  for (int round = 0; round < rounds; ++round)
+  {
+    std::vector<std::pair<std::size_t, Point>> moved;
+    for (const auto& [p, others] : beside)
+      if (others.size() == 2)
+        moved.emplace_back(p, CGAL::midpoint(points[p], CGAL::midpoint(points[*others.begin()],
+                                                                       points[*others.rbegin()])));
+    for (const auto& [p, place] : moved) points[p] = place;
+  }
+}
+
 // Moves the border inwards, and adds the strips that lie between where it was and where it is.
-std::map<Label_pair, std::vector<Triangle>> move_inwards(Border& border, const double depth,
+std::map<Label_pair, std::vector<Triangle>> move_inwards(Border& border, const Entrance& entrance,
                                                          const std::vector<Vector>& normals,
                                                          std::vector<Point>& points)
 {
-  const double step = depth * mean_length(border, points);
+  const double step = entrance.depth * mean_length(border, points);
   std::map<std::size_t, std::size_t> below;
   const auto point_below = [&](const std::size_t p)
   {
@@ -249,10 +271,33 @@ std::map<Label_pair, std::vector<Triangle>> move_inwards(Border& border, const d
       strips[pair].push_back({from, to, edge.second});
       strips[pair].push_back({from, edge.second, edge.first});
     }
+  smooth(border, entrance.smoothing, points);
   return strips;
 }
 
 } // namespace
+
+void join_hollow_cuts(std::vector<Border>& borders, const std::vector<Point>& points)
+{
+  std::map<Label_pair, std::vector<std::pair<Loop, std::size_t>>>
+      simple; // with the number of their border
+  for (std::size_t i = 0; i < borders.size(); ++i)
+    if (borders[i].size() == 1)
+      for (const Loop& loop : loops_of(borders[i].begin()->second))
+        simple[borders[i].begin()->first].emplace_back(loop, i);
+  for (const auto& [pair, loops] : simple)
+    for (const auto& [hole, from] : loops)
+      for (const auto& [outer, to] : loops)
+      {
+        if (from == to || !is_hole_in(points, hole, outer)) continue;
+        std::vector<Edge>& edges = borders[from][pair];
+        borders[to][pair].insert(borders[to][pair].end(), edges.begin(), edges.end());
+        edges.clear();
+      }
+  borders.erase(std::remove_if(borders.begin(), borders.end(),
+                               [](const Border& border) { return border.begin()->second.empty(); }),
+                borders.end());
+}
 
 std::vector<Vector> normals_of_points(const Welded_shape& shape)
 {
@@ -276,7 +321,7 @@ std::vector<Vector> normals_of_points(const Welded_shape& shape)
 std::vector<Cap> caps_of(Border border, const Cap_style& style, const std::vector<Vector>& normals,
                          std::vector<Point>& points)
 {
-  auto triangles = move_inwards(border, style.depth, normals, points);
+  auto triangles = move_inwards(border, style.entrance, normals, points);
   close_border(border, points);
   std::vector<Cap> caps;
   for (const auto& [pair, edges] : border)

@@ -27,10 +27,16 @@ enum class Filling
   NONE
 };
 
+// How the surface between parts goes inwards from their border, before it goes across.
+struct Entrance
+{
+  double depth = 0.; // in mean lengths of the border's edges
+  int smoothing = 0; // rounds, which take the zigzags out
+};
+
 struct Cap_style
 {
-  double depth =
-      0.; // how far the surface goes straight inwards first, in mean lengths of the border's edges
+  Entrance entrance;
   std::map<Label_pair, Filling> fillings = {}; // those that are no planes
 };
 
@@ -42,6 +48,9 @@ struct Cap
 
 // Unit normals, or zero where there is none.
 std::vector<Vector> normals_of_points(const Welded_shape& shape);
+
+// Where a hollow shape is cut there is a border outside and one inside, with a ring between them: they become one.
+void join_hollow_cuts(std::vector<Border>& borders, const std::vector<Point>& points);
 
 // A cap for each two parts that meet at the border. Points are added.
 std::vector<Cap> caps_of(Border border, const Cap_style& style, const std::vector<Vector>& normals,

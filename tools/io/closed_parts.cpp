@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -28,16 +29,18 @@ using Polygons = std::vector<std::vector<std::size_t>>;
 
 // From the surface inwards a little, so that what is jagged there is not so within; otherwise where that crosses
 // something.
-constexpr double depths[] = {.1, .3, 1., .02};
+constexpr Entrance entrances[] = {{.1, 3}, {.1, 0}, {.3, 3}, {.3, 0}, {1., 0}, {.02, 0}};
 
 // A border with its caps.
 struct Closed_border
 {
   Border border;
-  std::size_t depth = 0; // which
-  Cap_style style = {depths[0]};
-  bool is_exhausted = false; // nothing else is left to try
+  std::size_t entrance = 0; // which
+  Cap_style style = {entrances[0]};
   std::vector<Cap> caps = {};
+  Cap_style best_style = {}; // with the fewest caps that cross
+  std::size_t least_crossing = (std::numeric_limits<std::size_t>::max)(); // their number
+  bool is_exhausted = false; // nothing else is left to try
 };
 
 using Crossing_caps = std::map<std::size_t, std::set<Label_pair>>; // of borders
@@ -124,10 +127,15 @@ Verdict judged(const std::vector<Point>& all_points, const Solid& solid)
   return verdict;
 }
 
-// Fills between parts in the next way; after the last, all of the border begins at another depth, and after the last
-// depth at the first again, for good.
+// Fills between parts in the next way; after the last, all of the border begins with another entrance, and after
+// the last of these with what was best, for good.
 void take_next_style(const std::set<Label_pair>& crossing, Closed_border& border)
 {
+  if (crossing.size() < border.least_crossing)
+  {
+    border.least_crossing = crossing.size();
+    border.best_style = border.style;
+  }
   bool is_last = false;
   for (const Label_pair& parts : crossing)
   {
@@ -136,9 +144,8 @@ void take_next_style(const std::set<Label_pair>& crossing, Closed_border& border
     is_last = is_last || filling == Filling::NONE;
   }
   if (!is_last) return;
-  border.depth = (border.depth + 1) % std::size(depths);
-  border.style = {depths[border.depth]};
-  border.is_exhausted = border.depth == 0;
+  border.is_exhausted = ++border.entrance == std::size(entrances);
+  border.style = border.is_exhausted ? border.best_style : Cap_style{entrances[border.entrance]};
 }
 
 // Tries styles until no cap crosses anything; returns the fault of each part that has one.
@@ -183,7 +190,9 @@ std::vector<Closed_part> closed_parts(const Shape& shape, const std::vector<int>
   std::replace(part_of.begin(), part_of.end(), -1, static_cast<int>(number_of_parts));
   Welded_shape welded = welded_shape(shape);
   std::vector<Closed_border> borders;
-  for (Border& border : part_borders(welded, part_of)) borders.push_back({std::move(border)});
+  std::vector<Border> found = part_borders(welded, part_of);
+  join_hollow_cuts(found, welded.points);
+  for (Border& border : found) borders.push_back({std::move(border)});
   std::map<int, Solid> solids;
   for (std::size_t f = 0; f < part_of.size(); ++f)
     if (!welded.polygons[f].empty()) solids[part_of[f]].own_faces.push_back(f);

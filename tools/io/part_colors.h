@@ -22,15 +22,14 @@ using Neighbors = std::vector<std::vector<std::size_t>>;
 
 namespace internal {
 
-// Found by a search for the largest least color_difference(), 0.073, with enough contrast to a dark and to a white
-// ground; then ordered, so that each is the furthest from those before it.
+// Found by a search for the largest least color_difference(), 0.073, with enough contrast to dark and white grounds.
 constexpr std::size_t palette_size = 20;
 
 constexpr Color palette[palette_size] = {
-    {0, 105, 225},  {255, 135, 60},  {120, 255, 255}, {165, 15, 0},  {150, 120, 150},
-    {195, 255, 90}, {45, 195, 135},  {195, 120, 255}, {90, 45, 180}, {255, 225, 180},
-    {0, 210, 240},  {255, 150, 195}, {90, 120, 75},   {195, 120, 0}, {195, 210, 90},
-    {150, 0, 120},  {150, 75, 180},  {30, 150, 210},  {120, 75, 75}, {225, 60, 105}};
+    {0, 135, 255},   {225, 150, 0},   {60, 195, 105},  {195, 45, 75},   {150, 45, 165},
+    {180, 255, 120}, {90, 75, 120},   {0, 240, 195},   {255, 210, 255}, {195, 105, 0},
+    {75, 75, 210},   {0, 135, 135},   {210, 165, 180}, {135, 195, 240}, {180, 210, 15},
+    {0, 105, 0},     {165, 150, 255}, {255, 195, 150}, {135, 105, 195}, {135, 150, 105}};
 
 // The distance of two colors in the space Oklab (Ottosson 2020), 0 to about 1: the least for usual eyes and for those
 // without one of the three kinds of cones, as simulated by Machado et al. 2009.

@@ -4,6 +4,8 @@
 #ifndef CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_PROGRAM_ERRORS_H
 #define CGAL_WEAKLY_CONVEX_SEGMENTATION_TOOLS_PROGRAM_PROGRAM_ERRORS_H
 
+#include "program/kept_memory.h"
+
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -29,6 +31,7 @@ int run(const std::string& program, const Work& work)
   // was begun is removed.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  Program_memory::keep_freed();
   try
   {
     work();

@@ -41,9 +41,10 @@ bool is_obj_file(const std::string& path) { return has_extension(path, ".obj", "
 bool has_hull_folder(const Options& options)
 {
   const std::filesystem::path path = options.hulls;
+  if (path.empty() || path == "-") return false;
   std::error_code error;
-  return !options.hulls.empty() && options.hulls != "-" &&
-         (std::filesystem::is_directory(path, error) || !path.has_extension());
+  return std::filesystem::is_directory(path, error) ||
+         (!std::filesystem::exists(path, error) && !path.has_extension());
 }
 
 std::vector<std::string> output_files(const Options& options)

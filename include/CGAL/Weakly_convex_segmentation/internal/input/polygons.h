@@ -82,6 +82,15 @@ inline Coordinates centroid_of(std::vector<Coordinates> polygon)
   return centroid;
 }
 
+/// makes room for so many polygons, most of them triangles.
+inline void reserve_polygons(const std::size_t count, Raw_shape& raw)
+{
+  raw.positions.reserve(count);
+  raw.normals.reserve(count);
+  raw.first_corner.reserve(count + 1);
+  raw.corners.reserve(3 * count);
+}
+
 /// adds centroid, area vector and corners of a polygon.
 inline void add_polygon(const std::vector<Coordinates>& polygon, Raw_shape& raw)
 {

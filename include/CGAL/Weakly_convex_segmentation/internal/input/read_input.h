@@ -30,8 +30,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -182,6 +182,8 @@ Raw_shape read_mesh(const FaceGraph& mesh, const NamedParameters& np,
   Raw_shape raw;
   Face_places places(CGAL::get_initialized_face_index_map(mesh, np), num_faces(mesh));
   std::vector<Coordinates> corners;
+  reserve_polygons(num_faces(mesh), raw);
+  raw.links.reserve(num_edges(mesh));
   for (const face_descriptor f : faces(mesh))
   {
     corners.clear();
@@ -204,12 +206,19 @@ Raw_shape read_mesh(const FaceGraph& mesh, const NamedParameters& np,
 }
 
 /// returns for each soup vertex the first one at the same position: soups are welded by position.
-inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& points)
+inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& points,
+                                                const bool parallel)
 {
-  std::map<Coordinates, std::size_t> first;
+  std::vector<std::pair<Coordinates, std::size_t>> sorted(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) sorted[i] = {points[i], i};
+  parallel_sort(sorted.begin(), sorted.end(), parallel, std::less<>());
   std::vector<std::size_t> welded(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    welded[i] = first.emplace(points[i], i).first->second;
+  std::size_t first = 0; // of those at a position
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    if (sorted[i].first != sorted[first].first) first = i;
+    welded[sorted[i].second] = sorted[first].second;
+  }
   return welded;
 }
 
@@ -217,6 +226,7 @@ inline std::vector<std::size_t> welded_vertices(const std::vector<Coordinates>& 
 /// that the links do not depend on the order of the polygons.
 inline void link_across_edges(const std::vector<Polygon_side>& sides, Raw_shape& raw)
 {
+  raw.links.reserve(sides.size() / 2);
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end)
   {
     Index lowest = sides[i].face;
@@ -257,15 +267,19 @@ Raw_shape read_soup(const PointRange& points, const PolygonRange& polygons, cons
 {
   control.progress(0.);
   const Coordinate_reader coordinates(traits);
-  std::vector<Coordinates> positions;
-  for (const auto& p : points) positions.push_back(coordinates(get(map, p)));
-  check_finite(positions, "position");
-  const std::vector<std::size_t> welded = welded_vertices(positions);
+  const std::vector<Coordinates> positions = read_coordinates(
+      points, control.parallel, [&](const auto& p) { return coordinates(get(map, p)); });
+  check_finite(positions, "position", control.parallel);
+  const std::vector<std::size_t> welded = welded_vertices(positions, control.parallel);
   control.check();
 
   Raw_shape raw;
   std::vector<Coordinates> corners;
   std::vector<std::size_t> vertices, unwelded;
+  const auto count = static_cast<std::size_t>(std::distance(polygons.begin(), polygons.end()));
+  reserve_polygons(count, raw);
+  vertices.reserve(3 * count);
+  unwelded.reserve(3 * count);
   for (const auto& polygon : polygons)
   {
     const Index f = static_cast<Index>(raw.positions.size());

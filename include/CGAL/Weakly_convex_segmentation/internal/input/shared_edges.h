@@ -45,7 +45,7 @@ class Shared_edges
 
   /// gives an edge of its own to what is exactly two sides between the same vertices as they were given; returns
   /// where the sides without one begin.
-  Side part_by_vertices(const Side begin, const Side end, std::size_t& edge) const
+  Side part_by_vertices(const Side begin, const Side end, Index& edge) const
   {
     std::map<std::array<std::size_t, 2>, std::vector<Side>> given;
     for (Side s = begin; s != end; ++s)
@@ -90,7 +90,7 @@ class Shared_edges
 
   /// gives an edge of its own to each two sides that have the inside of their polygons between them and nothing
   /// else, if that holds for all.
-  void part_by_insides(const Side begin, const Side end, std::size_t& edge) const
+  void part_by_insides(const Side begin, const Side end, Index& edge) const
   {
     constexpr double turn = 6.283185307179586, same = 1e-6; // radians
     const std::vector<double> angle = angles(begin, end);
@@ -127,7 +127,7 @@ public:
   /// parts the sides between two vertices; those of an edge are in a row afterwards.
   void part(const Side begin, const Side end) const
   {
-    std::size_t edge = 0;
+    Index edge = 0;
     const Side rest = part_by_vertices(begin, end, edge);
     if (end - rest > 2) part_by_insides(rest, end, edge);
     std::stable_sort(begin, end,

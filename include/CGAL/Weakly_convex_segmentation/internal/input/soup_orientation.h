@@ -15,6 +15,7 @@
 #include <CGAL/Weakly_convex_segmentation/internal/input/raw_shape.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Compressed_rows.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/coordinates.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/sort_in_runs.h>
 
 #include <algorithm>
 #include <array>
@@ -30,11 +31,11 @@ namespace internal {
 /// A side of a polygon: its vertices ascending, and whether the polygon runs along them.
 struct Polygon_side
 {
-  std::size_t low, high;
-  Index face;
-  bool along;
-  std::size_t corner;   ///< of all polygons, from which the polygon runs along the side
-  std::size_t edge = 0; ///< of several between the vertices, see `part_shared_edges()`
+  Index low = 0, high = 0;
+  Index face = 0;
+  Index edge = 0;         ///< of several between the vertices, see `part_shared_edges()`
+  std::size_t corner = 0; ///< of all polygons, from which the polygon runs along the side
+  bool along = false;
 
   bool is_at_edge_of(const Polygon_side& other) const
   {
@@ -48,20 +49,23 @@ inline std::vector<Polygon_side> sorted_sides(const std::vector<std::size_t>& ve
 {
   std::vector<Polygon_side> sides;
   sides.reserve(vertices.size());
+  std::size_t bound = 0;
   for (std::size_t f = 0; f + 1 < first.size(); ++f)
     for (std::size_t i = first[f]; i < first[f + 1]; ++i)
     {
-      const std::size_t a = vertices[i], b = vertices[i + 1 < first[f + 1] ? i + 1 : first[f]];
-      if (a != b)
-        sides.push_back({(std::min)(a, b), (std::max)(a, b), static_cast<Index>(f), a < b, i});
+      const Index a = static_cast<Index>(vertices[i]);
+      const Index b = static_cast<Index>(vertices[i + 1 < first[f + 1] ? i + 1 : first[f]]);
+      if (a == b) continue;
+      sides.push_back({(std::min)(a, b), (std::max)(a, b), static_cast<Index>(f), 0, i, a < b});
+      bound = (std::max)(bound, std::size_t(sides.back().low) + 1);
     }
-  std::sort(sides.begin(), sides.end(),
-            [](const Polygon_side& a, const Polygon_side& b)
-            {
-              if (a.low != b.low) return a.low < b.low;
-              if (a.high != b.high) return a.high < b.high;
-              return a.face != b.face ? a.face < b.face : a.along < b.along;
-            });
+  sort_in_runs(
+      sides, bound, [](const Polygon_side& side) { return side.low; },
+      [](const Polygon_side& a, const Polygon_side& b)
+      {
+        if (a.high != b.high) return a.high < b.high;
+        return a.face != b.face ? a.face < b.face : a.along < b.along;
+      });
   return sides;
 }
 
@@ -76,8 +80,8 @@ struct Soup_pieces : Compressed_rows<Index> // the faces of each piece
 /// Across an edge of a face: the other face, and whether both run along the edge the same way.
 struct Across_edge
 {
-  Index face, other;
-  bool is_turned;
+  Index face = 0, other = 0;
+  bool is_turned = false;
 };
 
 /// returns what lies across the manifold edges, from both sides, by face; marks faces with others.
@@ -85,6 +89,7 @@ inline std::vector<Across_edge> across_edges(const std::vector<Polygon_side>& si
                                              std::vector<char>& has_open_edge)
 {
   std::vector<Across_edge> across;
+  across.reserve(sides.size());
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end)
   {
     while (end < sides.size() && sides[end].is_at_edge_of(sides[i])) ++end;
@@ -97,9 +102,9 @@ inline std::vector<Across_edge> across_edges(const std::vector<Polygon_side>& si
     else
       for (std::size_t j = i; j < end; ++j) has_open_edge[sides[j].face] = 1;
   }
-  std::sort(across.begin(), across.end(),
-            [](const Across_edge& a, const Across_edge& b)
-            { return a.face != b.face ? a.face < b.face : a.other < b.other; });
+  sort_in_runs(
+      across, has_open_edge.size(), [](const Across_edge& a) { return a.face; },
+      [](const Across_edge& a, const Across_edge& b) { return a.other < b.other; });
   return across;
 }
 
