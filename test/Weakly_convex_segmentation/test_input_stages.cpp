@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
+#include <CGAL/Weakly_convex_segmentation/internal/kernel/sort_in_runs.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/downsampling.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
 
@@ -508,6 +510,33 @@ BOOST_AUTO_TEST_CASE(a_turned_part_in_rings_has_the_parts_of_the_shape)
   parameters.extra_neighbors = CGAL::Weakly_convex_segmentation::Extra_neighbors::NONE;
   BOOST_CHECK_GT(rand_distance(Compiled_core::segment_points(raw, parameters, {}).labels, wanted),
                  0.3);
+}
+
+BOOST_AUTO_TEST_CASE(runs_are_sorted_as_all_at_once)
+{
+  std::mt19937 random(1);
+  std::vector<std::pair<unsigned int, unsigned int>> entries(3000);
+  for (auto& entry : entries) entry = {random() % 500, random() % 10};
+  auto sorted = entries;
+  std::sort(sorted.begin(), sorted.end());
+  sort_in_runs(
+      entries, 500, [](const auto& entry) { return entry.first; },
+      [](const auto& a, const auto& b) { return a.second < b.second; });
+  BOOST_TEST((entries == sorted));
+  entries.clear();
+  sort_in_runs(
+      entries, 0, [](const auto& entry) { return entry.first; },
+      [](const auto& a, const auto& b) { return a.second < b.second; });
+  BOOST_TEST(entries.empty());
+}
+
+BOOST_AUTO_TEST_CASE(soups_are_welded_to_the_first_of_each_place)
+{
+  const std::vector<Coordinates> points = {{1., 0., 0.},  {0., 0., 0.}, {1., 0., 0.},
+                                           {-0., 0., 0.}, {0., 1., 0.}, {1., 0., 0.}};
+  for (const bool parallel : {false, true})
+    BOOST_TEST(welded_vertices(points, parallel) == (std::vector<std::size_t>{0, 1, 0, 1, 4, 0}),
+               boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

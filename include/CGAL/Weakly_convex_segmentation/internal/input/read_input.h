@@ -183,7 +183,7 @@ Raw_shape read_mesh(const FaceGraph& mesh, const NamedParameters& np,
   Face_places places(CGAL::get_initialized_face_index_map(mesh, np), num_faces(mesh));
   std::vector<Coordinates> corners;
   reserve_polygons(num_faces(mesh), raw);
-  raw.links.reserve(num_edges(mesh));
+  raw.links.reserve(3 * num_faces(mesh) / 2);
   for (const face_descriptor f : faces(mesh))
   {
     corners.clear();
