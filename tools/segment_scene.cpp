@@ -57,9 +57,7 @@ bool read_options(const int argc, char** argv, Files& files, Scene_objects::Opti
     std::cout << visible;
     return false;
   }
-  if (map.count("input") == 0)
-    throw std::invalid_argument("there is no scene; name a file, see segment_scene --help");
-  files.input = map["input"].as<std::string>();
+  if (map.count("input") > 0) files.input = map["input"].as<std::string>();
   options.parameters =
       Scene_objects::with_depth_noise(Scene_objects::WCS::Parameters::preset(preset));
   if (!(options.cell > 0. && options.plane_distance > 0. && options.gap > 0.))
