@@ -149,6 +149,22 @@ BOOST_AUTO_TEST_CASE(what_can_not_be_closed_is_said)
   const auto parts = Shape_io::closed_parts(open, labels, 2);
   BOOST_TEST(parts[0].fault == "");
   BOOST_TEST(parts[1].fault == "INPUT is open there");
+  // two balls, of which the smaller one is turned inside out
+  Shape balls = shape_of(Shape_generator::make_mesh("sphere", 1000));
+  const std::size_t points = balls.points.size(), faces = balls.polygons.size();
+  for (std::size_t i = 0; i < points; ++i)
+    balls.points.push_back(CGAL::ORIGIN + .5 * (balls.points[i] - CGAL::ORIGIN) +
+                           Shape_io::Vector(5., 0., 0.));
+  for (std::size_t f = 0; f < faces; ++f)
+  {
+    const auto polygon = balls.polygons[f];
+    balls.polygons.push_back({polygon[2] + points, polygon[1] + points, polygon[0] + points});
+  }
+  labels.assign(faces, 0);
+  labels.resize(2 * faces, 1);
+  const auto turned = Shape_io::closed_parts(balls, labels, 2);
+  BOOST_TEST(turned[0].fault == "");
+  BOOST_TEST(turned[1].fault != "");
 }
 
 BOOST_AUTO_TEST_CASE(split_writes_closed_solids)
@@ -183,6 +199,7 @@ BOOST_AUTO_TEST_CASE(hulls_come_as_near_as_asked_for)
   const Shape ring = shape_of(mesh);
   const std::vector<int> one(ring.polygons.size(), 0);
   Shape_io::Hull_options options;
+  options.largest_error = 1.; // measured, but never too large
   const auto whole = Shape_io::part_hulls(ring, one, 1, options);
   BOOST_TEST(whole.hulls.size() == 1u);
   BOOST_TEST(whole.hulls[0].error > .1); // the hole is closed

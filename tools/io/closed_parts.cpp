@@ -114,6 +114,7 @@ Verdict judged(const std::vector<Point>& all_points, const Solid& solid)
   PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
   if (!CGAL::is_closed(mesh)) return {"INPUT is open there"};
   Verdict verdict;
+  if (!(PMP::volume(mesh) > 0.)) verdict.fault = "its faces look inwards, or it is flat";
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings;
   PMP::self_intersections(mesh, std::back_inserter(crossings));
   for (const auto& crossing : crossings)

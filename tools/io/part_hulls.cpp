@@ -30,7 +30,7 @@ struct Draft
 {
   std::vector<Point> corners;
   double volume = 0.;
-  Piece piece = {};                                  // of meshes
+  Piece piece = {};                                  // if errors are measured
   std::map<std::size_t, double> volume_of_part = {}; // how much of it is due to which part
 };
 
@@ -188,7 +188,7 @@ Part_hulls part_hulls(const Shape& shape, const std::vector<int>& labels,
   const double scale = std::sqrt(CGAL::squared_distance((box.min)(), (box.max)()));
   const auto elements = elements_of_parts(labels, number_of_parts);
   const std::vector<Closed_part> closed =
-      shape.is_mesh() ? closed_parts(shape, labels, number_of_parts) : std::vector<Closed_part>();
+      is_divided ? closed_parts(shape, labels, number_of_parts) : std::vector<Closed_part>();
   std::vector<Solid_part> parts;
   for (const Closed_part& part : closed) parts.emplace_back(part.shape);
   Part_hulls result;
@@ -201,11 +201,14 @@ Part_hulls part_hulls(const Shape& shape, const std::vector<int>& labels,
       result.flat_parts.push_back(static_cast<int>(label));
       continue;
     }
-    std::vector<Piece> pieces = {piece_of(part)};
-    if (is_divided) pieces = divided(pieces[0], parts[label], options.largest_error * scale);
-    for (Piece& piece : pieces)
+    if (!is_divided)
     {
-      drafts.push_back(draft_of(shape.is_mesh() ? points_of(piece) : part.points, label));
+      drafts.push_back(draft_of(part.points, label));
+      continue;
+    }
+    for (Piece& piece : divided(piece_of(part), parts[label], options.largest_error * scale))
+    {
+      drafts.push_back(draft_of(points_of(piece), label));
       drafts.back().piece = std::move(piece);
     }
   }

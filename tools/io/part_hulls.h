@@ -29,8 +29,9 @@ struct Part_hull
 {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> triangles; // of indices of points, turned outwards
-  int label;        // of the part; of the largest, if several were joined
-  double error = 0; // how far it goes from its part, in diagonals of the shape's box; meshes only
+  int label; // of the part; of the largest, if several were joined
+  double error =
+      0; // how far it goes from its part, in diagonals of the shape's box, if a largest one is given
 };
 
 struct Part_hulls

@@ -11,6 +11,7 @@
 #include "program/interruption.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <optional>
@@ -147,7 +148,7 @@ void Outputs::write_hulls(const Shape_io::Shape& shape, const Shape_io::Parts& p
 {
   const auto result =
       Shape_io::part_hulls(shape, parts.labels, parts.colors.size(), m_options.hull_options);
-  note_hulls(shape, result);
+  note_hulls(result);
   Program_errors::Interruption::check();
   if (m_hull_folder)
     for (std::size_t i = 0; i < result.hulls.size(); ++i)
@@ -179,13 +180,13 @@ void Outputs::write_hull_file(const Shape_io::Part_hulls& hulls, const Shape_io:
                 m_options.ascii);
 }
 
-void Outputs::note_hulls(const Shape_io::Shape& shape, const Shape_io::Part_hulls& result)
+void Outputs::note_hulls(const Shape_io::Part_hulls& result)
 {
   std::ostringstream note;
   note << result.hulls.size() << " hulls";
   double error = 0.;
   for (const auto& hull : result.hulls) error = (std::max)(error, hull.error);
-  if (shape.is_mesh())
+  if (std::isfinite(m_options.hull_options.largest_error))
     note << ", none further from its part than " << std::setprecision(3) << error
          << " of the diagonal";
   if (!result.flat_parts.empty())

@@ -58,7 +58,7 @@ private:
 
   void write_hulls(const Shape_io::Shape& shape, const Shape_io::Parts& parts);
   void write_hull_file(const Shape_io::Part_hulls& hulls, const Shape_io::Parts& parts);
-  void note_hulls(const Shape_io::Shape& shape, const Shape_io::Part_hulls& result);
+  void note_hulls(const Shape_io::Part_hulls& result);
 
   void write_separate_part(const Shape_io::Shape& part, const Shape_io::Parts& own,
                            const std::string& name);
