@@ -149,6 +149,9 @@ BOOST_AUTO_TEST_CASE(what_can_not_be_closed_is_said)
   const auto parts = Shape_io::closed_parts(open, labels, 2);
   BOOST_TEST(parts[0].fault == "");
   BOOST_TEST(parts[1].fault == "INPUT is open there");
+  open.polygons.push_back({0, 0, 1});
+  labels.push_back(2);
+  BOOST_TEST(Shape_io::closed_parts(open, labels, 3)[2].fault == "its faces have no area");
   // two balls, of which the smaller one is turned inside out
   Shape balls = shape_of(Shape_generator::make_mesh("sphere", 1000));
   const std::size_t points = balls.points.size(), faces = balls.polygons.size();

@@ -209,7 +209,7 @@ Camera best_upright_camera(const Scene& scene, const std::vector<int>& labels, c
 
 namespace {
 
-// How dark the sample is: lines are where another part, or nothing, is near, or where something far behind begins.
+// Lines are where another part, or nothing, is near, or where something far behind begins.
 bool is_on_line(const View& view, const std::vector<int>& labels, const int x, const int y)
 {
   constexpr int reach = 2; // samples to both sides

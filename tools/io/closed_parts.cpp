@@ -198,8 +198,12 @@ std::vector<Closed_part> closed_parts(const Shape& shape, const std::vector<int>
   for (std::size_t f = 0; f < part_of.size(); ++f)
     if (!welded.polygons[f].empty()) solids[part_of[f]].own_faces.push_back(f);
   const std::map<int, std::string> faults = close_borders(welded, borders, solids);
-  std::vector<Closed_part> result(number_of_parts +
-                                  solids.count(static_cast<int>(number_of_parts)));
+  const auto last = std::max_element(part_of.begin(), part_of.end());
+  const std::size_t count = (std::max)(number_of_parts, static_cast<std::size_t>(*last) + 1);
+  std::vector<Closed_part> result(count);
+  for (const int part : part_of)
+    if (solids.count(part) == 0)
+      result[static_cast<std::size_t>(part)].fault = "its faces have no area";
   for (auto& [part, solid] : solids)
   {
     Closed_part& closed = result[static_cast<std::size_t>(part)];

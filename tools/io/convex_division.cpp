@@ -3,7 +3,10 @@
 
 #include "io/convex_division.h"
 
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -15,9 +18,9 @@
 #include <CGAL/linear_least_squares_fitting_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -68,29 +71,6 @@ std::vector<Point> points_of(const Piece& piece)
 
 namespace {
 
-// Points on a hull, closer than the spacing where faces are large; the middle of each face is among them.
-std::vector<Point> samples_of(const Hull_mesh& hull, const double spacing)
-{
-  std::vector<Point> samples;
-  for (const auto f : hull.faces())
-  {
-    std::array<Point, 3> p;
-    auto corner = p.begin();
-    for (const auto v : hull.vertices_around_face(hull.halfedge(f))) *corner++ = hull.point(v);
-    double longest = 0.;
-    for (std::size_t i = 0; i < 3; ++i)
-      longest = (std::max)(longest, std::sqrt(CGAL::squared_distance(p[i], p[(i + 1) % 3])));
-    const int steps = static_cast<int>((std::min)(std::ceil(longest / spacing), 20.));
-    for (int i = 0; i < steps; ++i)
-      for (int j = 0; i + j < steps; ++j)
-      {
-        const double a = (i + 1. / 3.) / steps, b = (j + 1. / 3.) / steps;
-        samples.push_back(p[0] + a * (p[1] - p[0]) + b * (p[2] - p[0]));
-      }
-  }
-  return samples;
-}
-
 double diagonal(const std::vector<Point>& points)
 {
   const auto box = CGAL::bounding_box(points.begin(), points.end());
@@ -99,11 +79,14 @@ double diagonal(const std::vector<Point>& points)
 
 } // namespace
 
-Hull_error hull_error(const Hull_mesh& hull, const Piece& piece,
-                      const std::vector<const Solid_part*>& parts)
+namespace {
+
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Triangle_tree = CGAL::AABB_tree<
+    CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
+
+Triangles triangles_of(const Piece& piece)
 {
-  using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
   Triangles triangles;
   for (const auto& polygon : piece)
     for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -111,20 +94,43 @@ Hull_error hull_error(const Hull_mesh& hull, const Piece& piece,
       triangles.emplace_back(polygon[0], polygon[i - 1], polygon[i]);
       if (triangles.back().is_degenerate()) triangles.pop_back();
     }
+  return triangles;
+}
+
+Hull_error error_at_samples(const Hull_mesh& hull, const double spacing,
+                            const Triangle_tree& surface,
+                            const std::vector<const Solid_part*>& parts)
+{
+  std::vector<Point> samples;
+  PMP::sample_triangle_mesh(
+      hull, std::back_inserter(samples),
+      CGAL::parameters::use_random_uniform_sampling(false).use_grid_sampling(true).grid_spacing(
+          spacing));
   Hull_error worst;
-  if (triangles.empty()) return worst;
-  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(triangles.begin(),
-                                                                   triangles.end());
-  for (const Point& p : samples_of(hull, diagonal(points_of(piece)) / 20.))
+  for (const Point& p : samples)
   {
     if (std::any_of(parts.begin(), parts.end(),
                     [&](const Solid_part* part) { return part->holds(p); }))
       continue;
-    const Point nearest = tree.closest_point(p);
+    const Point nearest = surface.closest_point(p);
     const double distance = std::sqrt(CGAL::squared_distance(p, nearest));
     if (distance > worst.distance) worst = {distance, nearest};
   }
   return worst;
+}
+
+} // namespace
+
+Hull_error hull_error(const Hull_mesh& hull, const Piece& piece,
+                      const std::vector<const Solid_part*>& parts, const double largest_error)
+{
+  const Triangles triangles = triangles_of(piece);
+  if (triangles.empty()) return {};
+  const Triangle_tree surface(triangles.begin(), triangles.end());
+  const double coarse = diagonal(points_of(piece)) / 20.;
+  const Hull_error error = error_at_samples(hull, coarse, surface, parts);
+  const double fine = (std::max)(error.distance, largest_error) / 4.;
+  return coarse <= fine ? error : error_at_samples(hull, fine, surface, parts);
 }
 
 namespace {
@@ -222,7 +228,7 @@ std::vector<Piece> divided(const Piece& whole, const Solid_part& part, const dou
     open.pop_back();
     const std::vector<Point> points = points_of(piece);
     if (!has_hull(points)) continue;
-    const Hull_error error = hull_error(hull_of(points), piece, {&part});
+    const Hull_error error = hull_error(hull_of(points), piece, {&part}, largest_error);
     Piece above, below;
     if (error.distance > largest_error && open.size() + done.size() < most_pieces)
     {

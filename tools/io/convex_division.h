@@ -6,9 +6,6 @@
 
 #include "io/shape.h"
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -52,9 +49,10 @@ struct Hull_error
   Point nearest = CGAL::ORIGIN; // of the surface
 };
 
-// Points of the hull that are in one of the parts are no errors: cuts have no surface.
+// Points of the hull that are in one of the parts are no errors: cuts have no surface. They are
+// sampled so closely that an error, if it is as large as the largest one that is allowed, is found to about a hundredth.
 Hull_error hull_error(const Hull_mesh& hull, const Piece& piece,
-                      const std::vector<const Solid_part*>& parts);
+                      const std::vector<const Solid_part*>& parts, double largest_error);
 
 // The pieces of a part, none of which has a larger error than that, as far as cuts can bring it about.
 std::vector<Piece> divided(const Piece& whole, const Solid_part& part, double largest_error);

@@ -4,6 +4,7 @@
 #include "io/part_borders.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Union_find.h>
 
 #include <algorithm>
@@ -20,20 +21,13 @@ namespace Shape_io {
 
 namespace {
 
+namespace PMP = CGAL::Polygon_mesh_processing;
+
 void drop_repeated_corners(std::vector<std::size_t>& polygon)
 {
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
   while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   if (polygon.size() < 3) polygon.clear();
-}
-
-bool is_oriented(const std::vector<std::vector<std::size_t>>& polygons)
-{
-  std::set<Edge> edges;
-  for (const auto& polygon : polygons)
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-      if (!edges.emplace(polygon[i], polygon[(i + 1) % polygon.size()]).second) return false;
-  return true;
 }
 
 // Polygons without corners are none for CGAL.
@@ -42,7 +36,7 @@ void orient(Welded_shape& shape)
   std::vector<std::vector<std::size_t>> polygons;
   for (const auto& polygon : shape.polygons)
     if (!polygon.empty()) polygons.push_back(polygon);
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(shape.points, polygons);
+  PMP::orient_polygon_soup(shape.points, polygons);
   std::size_t next = 0;
   for (auto& polygon : shape.polygons)
     if (!polygon.empty()) polygon = polygons[next++];
@@ -63,22 +57,10 @@ double volume(const Welded_shape& shape)
 
 Welded_shape welded_shape(const Shape& shape)
 {
-  Welded_shape result;
-  std::map<Point, std::size_t> index;
-  std::vector<std::size_t> of_point;
-  for (const Point& p : shape.points)
-  {
-    const auto place = index.emplace(p, result.points.size());
-    if (place.second) result.points.push_back(p);
-    of_point.push_back(place.first->second);
-  }
-  result.polygons = shape.polygons;
-  for (auto& polygon : result.polygons)
-  {
-    for (std::size_t& corner : polygon) corner = of_point[corner];
-    drop_repeated_corners(polygon);
-  }
-  if (!is_oriented(result.polygons)) orient(result);
+  Welded_shape result = {shape.points, shape.polygons};
+  PMP::merge_duplicate_points_in_polygon_soup(result.points, result.polygons);
+  for (auto& polygon : result.polygons) drop_repeated_corners(polygon);
+  orient(result);
   if (volume(result) < 0.)
     for (auto& polygon : result.polygons) std::reverse(polygon.begin(), polygon.end());
   return result;

@@ -28,7 +28,7 @@ namespace {
 // A hull that is being made, and what it is the hull of.
 struct Draft
 {
-  std::vector<Point> corners;
+  Hull_mesh hull;
   double volume = 0.;
   Piece piece = {};                                  // if errors are measured
   std::map<std::size_t, double> volume_of_part = {}; // how much of it is due to which part
@@ -41,25 +41,22 @@ std::vector<Point> corners_of(const Hull_mesh& hull)
 
 Draft draft_of(const std::vector<Point>& points, const std::size_t part)
 {
-  const Hull_mesh hull = hull_of(points);
+  Hull_mesh hull = hull_of(points);
   const double volume = CGAL::Polygon_mesh_processing::volume(hull);
-  return {corners_of(hull), volume, {}, {{part, volume}}};
+  return {std::move(hull), volume, {}, {{part, volume}}};
 }
 
-double volume_together(const Draft& a, const Draft& b)
+Hull_mesh hull_together(const Draft& a, const Draft& b)
 {
-  std::vector<Point> points = a.corners;
-  points.insert(points.end(), b.corners.begin(), b.corners.end());
-  return CGAL::Polygon_mesh_processing::volume(hull_of(points));
+  std::vector<Point> points = corners_of(a.hull);
+  points.insert(points.end(), b.hull.points().begin(), b.hull.points().end());
+  return hull_of(points);
 }
 
 void join(Draft& a, Draft& b)
 {
-  std::vector<Point> points = a.corners;
-  points.insert(points.end(), b.corners.begin(), b.corners.end());
-  const Hull_mesh hull = hull_of(points);
-  a.corners = corners_of(hull);
-  a.volume = CGAL::Polygon_mesh_processing::volume(hull);
+  a.hull = hull_together(a, b);
+  a.volume = CGAL::Polygon_mesh_processing::volume(a.hull);
   a.piece.insert(a.piece.end(), b.piece.begin(), b.piece.end());
   for (const auto& [part, volume] : b.volume_of_part) a.volume_of_part[part] += volume;
 }
@@ -71,7 +68,10 @@ void join_until(std::vector<Draft>& drafts, const std::size_t most)
   const std::size_t n = drafts.size();
   std::vector<std::vector<double>> added(n, std::vector<double>(n));
   const auto measure = [&](const std::size_t i, const std::size_t j)
-  { added[i][j] = volume_together(drafts[i], drafts[j]) - drafts[i].volume - drafts[j].volume; };
+  {
+    added[i][j] = CGAL::Polygon_mesh_processing::volume(hull_together(drafts[i], drafts[j])) -
+                  drafts[i].volume - drafts[j].volume;
+  };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) measure(i, j);
   std::set<std::size_t> left;
@@ -98,9 +98,10 @@ void join_until(std::vector<Draft>& drafts, const std::size_t most)
 }
 
 // The corners that matter most: each the furthest from the hull of those before it.
-std::vector<Point> fewer_corners(const std::vector<Point>& corners, const std::size_t most)
+Hull_mesh with_fewer_corners(const Hull_mesh& whole, const std::size_t most)
 {
-  if (corners.size() <= most) return corners;
+  if (whole.number_of_vertices() <= most) return whole;
+  const std::vector<Point> corners = corners_of(whole);
   std::vector<Point> kept = {*std::min_element(corners.begin(), corners.end())};
   const auto take_furthest = [&](const auto& squared_distance)
   {
@@ -139,13 +140,13 @@ std::vector<Point> fewer_corners(const std::vector<Point>& corners, const std::s
           return out;
         });
   }
-  return kept;
+  return hull_of(kept);
 }
 
 Part_hull finished(const Draft& draft, const std::vector<Solid_part>& parts, const double scale,
-                   const std::size_t most_corners)
+                   const Hull_options& options)
 {
-  const Hull_mesh hull = hull_of(fewer_corners(draft.corners, most_corners));
+  const Hull_mesh hull = with_fewer_corners(draft.hull, options.most_corners);
   Part_hull result;
   result.points = corners_of(hull);
   for (const auto f : hull.faces())
@@ -161,7 +162,7 @@ Part_hull finished(const Draft& draft, const std::vector<Solid_part>& parts, con
   if (draft.piece.empty()) return result;
   std::vector<const Solid_part*> own;
   for (const auto& entry : draft.volume_of_part) own.push_back(&parts[entry.first]);
-  result.error = hull_error(hull, draft.piece, own).distance / scale;
+  result.error = hull_error(hull, draft.piece, own, options.largest_error * scale).distance / scale;
   return result;
 }
 
@@ -213,8 +214,7 @@ Part_hulls part_hulls(const Shape& shape, const std::vector<int>& labels,
     }
   }
   join_until(drafts, options.most_hulls);
-  for (const Draft& draft : drafts)
-    result.hulls.push_back(finished(draft, parts, scale, options.most_corners));
+  for (const Draft& draft : drafts) result.hulls.push_back(finished(draft, parts, scale, options));
   return result;
 }
 

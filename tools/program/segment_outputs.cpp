@@ -221,11 +221,18 @@ void Outputs::write_separate_parts(const Shape_io::Shape& shape, const Shape_io:
 void Outputs::write_closed_parts(const Shape_io::Shape& shape, const Shape_io::Parts& parts)
 {
   auto solids = Shape_io::closed_parts(shape, parts.labels, parts.colors.size());
-  std::size_t number_of_faults = 0;
+  std::size_t number_of_parts = 0, number_of_faults = 0;
   for (std::size_t label = 0; label < solids.size(); ++label)
   {
     Shape_io::Closed_part& solid = solids[label];
     const std::size_t n = solid.shape.polygons.size();
+    if (n > 0 || !solid.fault.empty()) ++number_of_parts;
+    if (!solid.fault.empty())
+    {
+      ++number_of_faults;
+      m_notes.push_back("part " + name_of_part(label, parts) +
+                        " is no closed solid: " + solid.fault);
+    }
     if (n == 0) continue;
     add_properties(Shape_io::shape_of_elements(shape, solid.source_faces),
                    solid.source_faces.size(), solid.shape);
@@ -233,12 +240,9 @@ void Outputs::write_closed_parts(const Shape_io::Shape& shape, const Shape_io::P
     own.labels.resize(n, own.labels.front());
     own.quality.resize(n, own.quality.front());
     write_separate_part(solid.shape, own, name_of_part(label, parts));
-    if (solid.fault.empty()) continue;
-    ++number_of_faults;
-    m_notes.push_back("part " + name_of_part(label, parts) + " is no closed solid: " + solid.fault);
   }
-  m_notes.push_back(std::to_string(solids.size() - number_of_faults) + " of " +
-                    std::to_string(solids.size()) + " parts are closed solids");
+  m_notes.push_back(std::to_string(number_of_parts - number_of_faults) + " of " +
+                    std::to_string(number_of_parts) + " parts are closed solids");
 }
 
 } // namespace Segment_shape
