@@ -145,11 +145,8 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
                           { return consensus_labels(votes, share, minimum_size, mirror.image); },
                           least, parameters);
   absorb_strips(shape.graph, labels);
-  if (!shape.points().links.empty())
-  {
-    Torn_parts(shape.points().links, labels).join_small(minimum_size);
-    Torn_parts(shape.points().links, labels).divide(first_unused(labels));
-  }
+  Torn_parts(shape.points().links, labels).join_small(minimum_size);
+  Torn_parts(shape.points().links, labels).divide(first_unused(labels));
   return labels;
 }
 

@@ -42,10 +42,13 @@ inline std::vector<Index> pieces_of_labels(const std::vector<std::array<Index, 2
 class Torn_parts
 {
 public:
-  /// `links`: of the mesh, between points or faces
+  /// `links`: of the mesh, between points or faces; without any, as of a cloud, nothing is torn
   Torn_parts(const std::vector<std::array<Index, 2>>& links, std::vector<int>& labels)
-    : m_labels(labels), m_pieces(pieces_of_labels(links, labels)), m_sizes(labels.size(), 0)
+    : m_labels(labels)
   {
+    if (links.empty()) return;
+    m_pieces = pieces_of_labels(links, labels);
+    m_sizes.assign(labels.size(), 0);
     const std::vector<Index> of_mesh = pieces_of_labels(links, std::vector<int>(labels.size(), 0));
     for (const Index piece : m_pieces) ++m_sizes[piece];
     for (Index i = 0; i < labels.size(); ++i)

@@ -24,8 +24,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
-#include <queue>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -66,20 +67,15 @@ inline Overlay overlay(const std::vector<Votes>& votes)
   return result;
 }
 
-/// returns how many pairs of points of each two classes are together in the votes of one set.
-inline Eigen::MatrixXd pairs_together(const Overlay& classes, const std::vector<Votes>& votes,
-                                      const std::size_t set)
+/// calls `add(first, second, probability)` for the classes of each two regions that are together in the votes of one
+/// set: a point of the one with a point of the other.
+template <typename Add>
+void for_each_together(const Overlay& classes, const std::vector<Votes>& votes,
+                       const std::size_t set, const Add& add)
 {
-  const auto count = static_cast<Eigen::Index>(classes.sizes.size());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
   std::map<int, std::vector<int>> of_region;
-  for (int c = 0; c < static_cast<int>(count); ++c) of_region[classes.labels[c][set]].push_back(c);
-  const auto add =
-      [&](const std::vector<int>& first, const std::vector<int>& second, const double probability)
-  {
-    for (const int a : first)
-      for (const int b : second) result(a, b) = probability * classes.sizes[a] * classes.sizes[b];
-  };
+  for (int c = 0; c < static_cast<int>(classes.sizes.size()); ++c)
+    of_region[classes.labels[c][set]].push_back(c);
   for (const auto& [region, members] : of_region)
   {
     add(members, members, 1.);
@@ -90,7 +86,23 @@ inline Eigen::MatrixXd pairs_together(const Overlay& classes, const std::vector<
       if (found != of_region.end()) add(members, found->second, probability);
     }
   }
-  return result;
+}
+
+/// returns how many pairs of points of each two classes are together, a mean over the votes.
+inline Eigen::MatrixXd pairs_together(const Overlay& classes, const std::vector<Votes>& votes)
+{
+  const auto count = static_cast<Eigen::Index>(classes.sizes.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
+  const auto add =
+      [&](const std::vector<int>& first, const std::vector<int>& second, const double probability)
+  {
+    for (const int a : first)
+      for (const int b : second)
+        result(b, a) +=
+            probability * (classes.sizes[a] * classes.sizes[b]); // symmetric to the last bit
+  };
+  for (std::size_t s = 0; s < votes.size(); ++s) for_each_together(classes, votes, s, add);
+  return result / static_cast<double>(votes.size());
 }
 
 /// How many points of one class have their mirror images in another, where there are any.
@@ -170,7 +182,7 @@ class Consensus
 public:
   Consensus(std::vector<double> sizes, Eigen::MatrixXd together, Eigen::MatrixXd mirrored)
     : m_sizes(std::move(sizes)), m_clusters(m_sizes.size()), m_together(std::move(together)),
-      m_mirrored(std::move(mirrored)), m_age(m_sizes.size(), 0)
+      m_mirrored(std::move(mirrored))
   {}
 
   /// makes clusters of the classes that have one number, each still alone.
@@ -188,21 +200,24 @@ public:
   /// together in more than the share `least` of the votes, on average.
   void merge_down_to(const double least)
   {
-    for (int a = 0; a < size(); ++a) consider(a, least, a + 1);
-    while (!m_queue.empty())
+    m_best.assign(m_sizes.size(), {});
+    for (int a = 0; a < size(); ++a) find_best(a, least);
+    while (true)
     {
-      const Candidate best = m_queue.top();
-      m_queue.pop();
-      if (m_age[best.a] != best.age_a || m_age[best.b] != best.age_b) continue;
+      const Candidate best = *std::max_element(m_best.begin(), m_best.end());
+      if (best.a < 0) return;
       const auto [first, second] = mirror_images(best.a, best.b);
       const With_image with_image = merge_with_image(best, first, second, least);
-      if (with_image == With_image::NEITHER) continue;
-      merge(best.a, best.b);
-      consider(best.a, least);
+      if (with_image == With_image::NEITHER)
+      {
+        m_refused.insert({best.a, best.b});
+        for (const int end : {best.a, best.b}) find_best(end, least);
+        continue;
+      }
+      merge_and_look(best.a, best.b, least);
       const int c = cluster_of(first), d = cluster_of(second);
-      if (with_image == With_image::ALONE || c == d || m_together(c, d) <= 0.) continue;
-      merge(c, d);
-      consider(c, least);
+      if (with_image != With_image::ALONE && c != d && m_together(c, d) > 0.)
+        merge_and_look(c, d, least);
     }
   }
 
@@ -230,14 +245,14 @@ public:
   }
 
 private:
+  /// Two clusters that may be merged, or none.
   struct Candidate
   {
-    double share, pairs;
-    int a, b;
-    std::size_t age_a, age_b;
+    double share = -1., pairs = 0.;
+    int a = -1, b = -1;
     /// Of equal shares, which few segmentations have many of, that of most points is first: what lies
     /// between two borders then goes with the large neighbors, not with another sliver beside it.
-    bool operator<(const Candidate& other) const // the queue's top is its largest element
+    bool operator<(const Candidate& other) const // the largest is merged
     {
       return std::tie(share, pairs, other.a, other.b) < std::tie(other.share, other.pairs, a, b);
     }
@@ -245,14 +260,41 @@ private:
 
   int size() const { return static_cast<int>(m_sizes.size()); }
 
-  void consider(const int a, const double least, const int first = 0)
+  Candidate candidate(const int a, const int b, const double least) const
   {
-    for (int b = first; b < size(); ++b)
+    const double pairs = m_sizes[a] * m_sizes[b];
+    if (b == a || m_together(b, a) <= least * pairs) return {}; // 0 where it is merged
+    const auto [low, high] = std::minmax(a, b);
+    if (m_refused.count({low, high}) > 0) return {};
+    return {m_together(b, a) / pairs, pairs, low, high};
+  }
+
+  /// finds the cluster that one is best merged with.
+  void find_best(const int a, const double least)
+  {
+    m_best[a] = {};
+    for (int b = 0; b < size(); ++b) m_best[a] = (std::max)(m_best[a], candidate(a, b, least));
+  }
+
+  /// merges `b` into `a`, and finds what others are best merged with then.
+  void merge_and_look(const int a, const int b, const double least)
+  {
+    merge(a, b);
+    for (auto it = m_refused.begin(); it != m_refused.end();)
     {
-      const double pairs = m_sizes[a] * m_sizes[b];
-      if (b == a || m_together(b, a) <= least * pairs) continue; // 0 where it is merged
-      const int low = (std::min)(a, b), high = (std::max)(a, b);
-      m_queue.push({m_together(b, a) / pairs, pairs, low, high, m_age[low], m_age[high]});
+      const auto [c, d] = *it;
+      it = c == a || c == b || d == a || d == b ? m_refused.erase(it) : std::next(it);
+    }
+    m_best[b] = {};
+    find_best(a, least);
+    for (int c = 0; c < size(); ++c)
+    {
+      const auto [first, second] = std::make_pair(m_best[c].a, m_best[c].b);
+      if (c == a || c == b) continue;
+      if (first == a || first == b || second == a || second == b)
+        find_best(c, least);
+      else
+        m_best[c] = (std::max)(m_best[c], candidate(c, a, least));
     }
   }
 
@@ -293,8 +335,6 @@ private:
     merge_rows_and_columns(m_mirrored, a, b);
     m_sizes[a] += m_sizes[b];
     m_clusters.join_named(a, b);
-    ++m_age[a];
-    ++m_age[b];
   }
 
   std::vector<double> m_sizes;   ///< points in each cluster
@@ -303,8 +343,8 @@ private:
   Eigen::MatrixXd m_together;
   /// points of a row's cluster whose mirror images lie in a column's; or empty
   Eigen::MatrixXd m_mirrored;
-  std::vector<std::size_t> m_age;
-  std::priority_queue<Candidate> m_queue;
+  std::vector<Candidate> m_best;           ///< of each cluster
+  std::set<std::pair<int, int>> m_refused; ///< that their images keep from being merged as they are
 };
 
 /// returns the votes and, where points have mirror images, the same votes about these.
@@ -326,9 +366,7 @@ inline std::vector<int> consensus_clusters(const Overlay& classes, const std::ve
                                            const Eigen::MatrixXd& mirrored, const double least,
                                            const double minimum_size)
 {
-  Eigen::MatrixXd together = pairs_together(classes, votes, 0);
-  for (std::size_t s = 1; s < votes.size(); ++s) together += pairs_together(classes, votes, s);
-  together /= static_cast<double>(votes.size());
+  Eigen::MatrixXd together = pairs_together(classes, votes);
   Consensus agreement(classes.sizes, together, mirrored);
   agreement.merge_down_to(least);
   if (!votes.front().together.empty()) // where a majority of cuts decides, this gains nothing
@@ -336,7 +374,8 @@ inline std::vector<int> consensus_clusters(const Overlay& classes, const std::ve
     std::vector<int> clusters = agreement.clusters();
     Class_moves(classes.sizes, together, least, clusters).run();
     Torn_clusters torn(classes.sizes, mirrored, clusters);
-    for (std::size_t s = 0; s < votes.size(); ++s) torn.add_vote(pairs_together(classes, votes, s));
+    for (std::size_t s = 0; s < votes.size(); ++s)
+      for_each_together(classes, votes, s, torn.new_vote());
     torn.join((std::max)(0.5, least)); // no part to most votes
     agreement = Consensus(classes.sizes, std::move(together), {});
     agreement.merge_as(clusters);

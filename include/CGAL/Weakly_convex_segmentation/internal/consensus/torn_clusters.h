@@ -35,7 +35,7 @@ public:
   /// there are any, and the cluster of each class, in any numbers from 0 on.
   Torn_clusters(const std::vector<double>& sizes, const Eigen::MatrixXd& mirrored,
                 std::vector<int>& clusters)
-    : m_clusters(clusters)
+    : m_class_sizes(sizes), m_clusters(clusters)
   {
     m_sizes.assign(number_labels(m_clusters), 0.);
     for (std::size_t c = 0; c < sizes.size(); ++c) m_sizes[m_clusters[c]] += sizes[c];
@@ -43,8 +43,20 @@ public:
     for (int c = 0; c < size(); ++c) m_image.push_back(mirror_image(images, m_sizes, c));
   }
 
-  /// takes how many pairs of points of two classes are together in a vote.
-  void add_vote(const Eigen::MatrixXd& pairs) { m_together.push_back(sums(pairs)); }
+  /// returns what takes a new vote: a function of two sets of classes and the probability that a point of the one
+  /// is together with a point of the other.
+  auto new_vote()
+  {
+    m_together.push_back(Eigen::MatrixXd::Zero(size(), size()));
+    return [this](const std::vector<int>& first, const std::vector<int>& second,
+                  const double probability)
+    {
+      for (const int a : first)
+        for (const int b : second)
+          m_together.back()(m_clusters[b], m_clusters[a]) +=
+              probability * m_class_sizes[a] * m_class_sizes[b];
+    };
+  }
 
   /// joins a cluster, smallest first, where each vote's most likely neighbor is one with a probability of more than
   /// `least`, on average over the votes, and no single neighbor has as much on average.
@@ -109,6 +121,7 @@ private:
       if (cluster == from) cluster = into;
   }
 
+  const std::vector<double>& m_class_sizes;
   std::vector<int>& m_clusters;            ///< of each class
   std::vector<double> m_sizes;             ///< points in each cluster
   std::vector<int> m_image;                ///< of each cluster, or itself

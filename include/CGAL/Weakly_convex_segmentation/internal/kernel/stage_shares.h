@@ -28,10 +28,10 @@ using Stage_shares = std::array<double, number_of_stages + 1>;
 inline Stage_shares stage_shares(const std::size_t number_of_points, const bool has_given_normals)
 {
   // milliseconds, and those of a thousand points: the preparation (a mesh or estimated normals take long), the stages
-  const double preparation = has_given_normals ? 0.4 : 8.;
-  const double costs[][2] = {{30., preparation}, {5., 1.},   {30., 0.},  {135., 0.},
-                             {2., 0.},           {55., 0.},  {425., 0.}, {12., 0.},
-                             {5., 0.},           {15., 2.5}, {15., 0.}};
+  const double preparation = has_given_normals ? 0.1 : 2.3;
+  const double costs[][2] = {{1., preparation}, {2., 0.2},  {12., 0.},  {39., 0.},
+                             {1., 0.},          {21., 0.},  {130., 0.}, {3., 0.},
+                             {1., 0.},          {9., 0.35}, {5., 0.005}};
   Stage_shares shares;
   double sum = 0.;
   for (std::size_t i = 0; i < shares.size(); ++i)

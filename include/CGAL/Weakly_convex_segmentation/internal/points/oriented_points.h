@@ -158,6 +158,18 @@ inline std::vector<Index> spatial_order(const Raw_shape& raw, const Frame& frame
   return order;
 }
 
+/// returns where the points lie in the cube, in the order given: they are spread over memory, and gathered once.
+inline std::vector<Coordinates> places_within(const Raw_shape& raw, const Frame& frame,
+                                              const std::vector<Index>& order,
+                                              const Bounding_cube& cube, const bool parallel)
+{
+  std::vector<Coordinates> places(order.size());
+  parallel_for(
+      order.size(), parallel,
+      [&](const std::size_t i) { places[i] = cube.within(frame(raw.positions[order[i]])); }, 4096);
+  return places;
+}
+
 /// The sphere about the centroid that holds all points but those far away, within a bounding cube.
 struct Bounding_ball
 {
@@ -165,17 +177,16 @@ struct Bounding_ball
   double radius = 0.;
 };
 
-/// returns the ball of the points in a frame. The sum over the points is in the order given, so that it
-/// does not depend on that of the input.
-inline Bounding_ball bounding_ball(const Raw_shape& raw, const Frame& frame,
-                                   const std::vector<Index>& order, const Bounding_cube& cube,
-                                   const bool parallel)
+/// returns the ball of places, without those far away: `is_far(i)`. The sum over the points is in the order given, so
+/// that it does not depend on that of the input.
+template <typename Is_far>
+Bounding_ball bounding_ball(const std::vector<Coordinates>& places, const Is_far& is_far,
+                            const bool parallel)
 {
   const auto for_each = [&](const std::size_t begin, const std::size_t end, const auto& visit)
   {
     for (std::size_t i = begin; i < end; ++i)
-      if (raw.is_far.empty() || raw.is_far[order[i]] == 0)
-        visit(cube.within(frame(raw.positions[order[i]])));
+      if (!is_far(i)) visit(places[i]);
   };
   struct Sum
   {
@@ -195,7 +206,7 @@ inline Bounding_ball bounding_ball(const Raw_shape& raw, const Frame& frame,
   };
   Bounding_ball ball;
   double count = 0.;
-  for (const Sum& sum : map_blocks(order.size(), parallel, sum_of))
+  for (const Sum& sum : map_blocks(places.size(), parallel, sum_of))
   {
     for (int c = 0; c < 3; ++c) ball.center[c] += sum.position[c];
     count += sum.count;
@@ -214,7 +225,7 @@ inline Bounding_ball bounding_ball(const Raw_shape& raw, const Frame& frame,
              });
     return largest;
   };
-  for (const double squared : map_blocks(order.size(), parallel, largest_of))
+  for (const double squared : map_blocks(places.size(), parallel, largest_of))
     ball.radius = (std::max)(ball.radius, std::sqrt(squared));
   return ball;
 }
@@ -292,10 +303,12 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
   const std::vector<Index> order = spatial_order(raw, frame, cube, parallel);
   control.check();
 
-  const Bounding_ball ball = bounding_ball(raw, frame, order, cube, parallel);
-  Coordinates centroid = ball.center;
-  for (double& c : centroid) c *= cube.unit();
-  points.extent = ball.radius > 0. ? 2. * ball.radius * cube.unit() : 1.;
+  const std::vector<Coordinates> places = places_within(raw, frame, order, cube, parallel);
+  const Bounding_ball ball = bounding_ball(
+      places, [&](const std::size_t i) { return !raw.is_far.empty() && raw.is_far[order[i]] != 0; },
+      parallel);
+  const double diameter = ball.radius > 0. ? 2. * ball.radius : 1. / cube.unit();
+  points.extent = diameter * cube.unit();
 
   control.check();
   points.positions.resize(n);
@@ -304,21 +317,18 @@ inline Oriented_points orient_points(const Raw_shape& raw, const bool parallel =
       n, parallel,
       [&](const std::size_t i)
       {
-        const Coordinates p = frame(raw.positions[order[i]]), v = frame(raw.normals[order[i]]);
         const auto coordinate = [&](const int c)
-        { return static_cast<float>((p[c] - cube.corner[c] - centroid[c]) / points.extent); };
+        { return static_cast<float>((places[i][c] - ball.center[c]) / diameter); };
         points.positions[i] = {coordinate(0), coordinate(1), coordinate(2)};
+        const Coordinates v = frame(raw.normals[order[i]]);
         const double l = std::hypot(v[0], v[1], v[2]);
         if (l > 0.)
           points.normals[i] = {static_cast<float>(v[0] / l), static_cast<float>(v[1] / l),
                                static_cast<float>(v[2] / l)};
       },
       4096);
-  points.placement = {
-      frame,
-      {cube.corner[0] + centroid[0], cube.corner[1] + centroid[1], cube.corner[2] + centroid[2]},
-      points.extent,
-      raw.exponent};
+  const auto middle = [&](const int c) { return cube.corner[c] + ball.center[c] * cube.unit(); };
+  points.placement = {frame, {middle(0), middle(1), middle(2)}, points.extent, raw.exponent};
   points.extent = std::ldexp(points.extent, raw.exponent);
   if (!std::isfinite(points.extent)) refuse_extent();
   take_along(raw, order, points);
