@@ -187,8 +187,9 @@ std::map<int, std::string> close_borders(Welded_shape& shape, std::vector<Closed
 std::vector<Closed_part> closed_parts(const Shape& shape, const std::vector<int>& labels,
                                       const std::size_t number_of_parts)
 {
+  const int rest = static_cast<int>(number_of_parts);
   std::vector<int> part_of(labels);
-  std::replace(part_of.begin(), part_of.end(), -1, static_cast<int>(number_of_parts));
+  std::replace(part_of.begin(), part_of.end(), -1, rest);
   Welded_shape welded = welded_shape(shape);
   std::vector<Closed_border> borders;
   std::vector<Border> found = part_borders(welded, part_of);
@@ -198,12 +199,9 @@ std::vector<Closed_part> closed_parts(const Shape& shape, const std::vector<int>
   for (std::size_t f = 0; f < part_of.size(); ++f)
     if (!welded.polygons[f].empty()) solids[part_of[f]].own_faces.push_back(f);
   const std::map<int, std::string> faults = close_borders(welded, borders, solids);
-  const auto last = std::max_element(part_of.begin(), part_of.end());
-  const std::size_t count = (std::max)(number_of_parts, static_cast<std::size_t>(*last) + 1);
-  std::vector<Closed_part> result(count);
-  for (const int part : part_of)
-    if (solids.count(part) == 0)
-      result[static_cast<std::size_t>(part)].fault = "its faces have no area";
+  const bool has_rest = std::find(part_of.begin(), part_of.end(), rest) != part_of.end();
+  std::vector<Closed_part> result(number_of_parts + (has_rest ? 1 : 0));
+  for (Closed_part& part : result) part.fault = "its faces have no area"; // unless it is a solid
   for (auto& [part, solid] : solids)
   {
     Closed_part& closed = result[static_cast<std::size_t>(part)];

@@ -77,10 +77,6 @@ double diagonal(const std::vector<Point>& points)
   return std::sqrt(CGAL::squared_distance((box.min)(), (box.max)()));
 }
 
-} // namespace
-
-namespace {
-
 using Triangles = std::vector<Kernel::Triangle_3>;
 using Triangle_tree = CGAL::AABB_tree<
     CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;

@@ -15,6 +15,7 @@
 
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/clusters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/local_search.h>
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/overlay.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/torn_clusters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
@@ -38,140 +39,6 @@ namespace internal {
 /// The share of cuts that have to put two points together, on average. No tie of few votes: half of them are more,
 /// two of five are less.
 constexpr double least_share_of_cuts = 0.42;
-
-/// The coarsest partition of which each class lies in one segment of each of some segmentations.
-struct Overlay
-{
-  std::vector<int> of_point;
-  std::vector<std::vector<int>> labels; ///< of each class, one a segmentation
-  std::vector<double> sizes;            ///< points in each class
-};
-
-inline Overlay overlay(const std::vector<Votes>& votes)
-{
-  Overlay result;
-  std::map<std::vector<int>, int> number;
-  std::vector<int> labels(votes.size());
-  for (std::size_t i = 0; i < votes.front().labels.size(); ++i)
-  {
-    for (std::size_t s = 0; s < labels.size(); ++s) labels[s] = votes[s].labels[i];
-    const auto [slot, is_new] = number.emplace(labels, static_cast<int>(result.sizes.size()));
-    if (is_new)
-    {
-      result.labels.push_back(labels);
-      result.sizes.push_back(0.);
-    }
-    result.of_point.push_back(slot->second);
-    result.sizes[slot->second] += 1.;
-  }
-  return result;
-}
-
-/// calls `add(first, second, probability)` for the classes of each two regions that are together in the votes of one
-/// set: a point of the one with a point of the other.
-template <typename Add>
-void for_each_together(const Overlay& classes, const std::vector<Votes>& votes,
-                       const std::size_t set, const Add& add)
-{
-  std::map<int, std::vector<int>> of_region;
-  for (int c = 0; c < static_cast<int>(classes.sizes.size()); ++c)
-    of_region[classes.labels[c][set]].push_back(c);
-  for (const auto& [region, members] : of_region)
-  {
-    add(members, members, 1.);
-    if (votes[set].together.empty()) continue;
-    for (const auto& [other, probability] : votes[set].together[region])
-    {
-      const auto found = of_region.find(other); // refined borders may leave a region no point
-      if (found != of_region.end()) add(members, found->second, probability);
-    }
-  }
-}
-
-/// returns how many pairs of points of each two classes are together, a mean over the votes.
-inline Eigen::MatrixXd pairs_together(const Overlay& classes, const std::vector<Votes>& votes)
-{
-  const auto count = static_cast<Eigen::Index>(classes.sizes.size());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
-  const auto add =
-      [&](const std::vector<int>& first, const std::vector<int>& second, const double probability)
-  {
-    for (const int a : first)
-      for (const int b : second)
-        result(b, a) +=
-            probability * (classes.sizes[a] * classes.sizes[b]); // symmetric to the last bit
-  };
-  for (std::size_t s = 0; s < votes.size(); ++s) for_each_together(classes, votes, s, add);
-  return result / static_cast<double>(votes.size());
-}
-
-/// How many points of one class have their mirror images in another, where there are any.
-using Class_images = std::map<std::pair<int, int>, double>;
-
-inline Class_images images_of_classes(const Overlay& classes, const std::vector<Index>& image)
-{
-  Class_images result;
-  for (std::size_t i = 0; i < image.size(); ++i)
-    result[{classes.of_point[i], classes.of_point[image[i]]}] += 1.;
-  return result;
-}
-
-/// returns the classes in groups that no vote has anything to say about together, as those of pieces apart: a shape of
-/// many pieces is decided piece by piece.
-inline std::vector<std::vector<int>> independent_classes(const Overlay& classes,
-                                                         const std::vector<Votes>& votes,
-                                                         const Class_images& images)
-{
-  const int count = static_cast<int>(classes.sizes.size());
-  Disjoint_sets<int> sets(static_cast<std::size_t>(count));
-  for (std::size_t s = 0; s < votes.size(); ++s)
-  {
-    std::map<int, int> class_of_region;
-    for (int c = 0; c < count; ++c)
-      sets.join(class_of_region.emplace(classes.labels[c][s], c).first->second, c);
-    for (const auto& [region, c] : class_of_region)
-      if (!votes[s].together.empty())
-        for (const auto& [other, probability] : votes[s].together[region])
-        {
-          const auto found = class_of_region.find(other);
-          if (found != class_of_region.end() && probability > 0.) sets.join(c, found->second);
-        }
-  }
-  for (const auto& [pair, points] : images) sets.join(pair.first, pair.second);
-  std::map<int, std::vector<int>> groups;
-  for (int c = 0; c < count; ++c) groups[sets.find(c)].push_back(c);
-  std::vector<std::vector<int>> result;
-  for (auto& [name, members] : groups) result.push_back(std::move(members));
-  return result;
-}
-
-/// returns some of the classes alone, without the points.
-inline Overlay chosen_classes(const Overlay& classes, const std::vector<int>& chosen)
-{
-  Overlay result;
-  for (const int c : chosen)
-  {
-    result.labels.push_back(classes.labels[c]);
-    result.sizes.push_back(classes.sizes[c]);
-  }
-  return result;
-}
-
-/// returns where the mirror images of the points of each class of a group lie: how many of a row's class in a
-/// column's. It is empty if there are no images.
-inline Eigen::MatrixXd mirrored_classes(const std::vector<int>& group, const Class_images& images)
-{
-  const auto count = images.empty() ? 0 : static_cast<Eigen::Index>(group.size());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
-  for (Eigen::Index a = 0; a < count; ++a)
-    for (auto at = images.lower_bound({group[a], 0});
-         at != images.end() && at->first.first == group[a]; ++at)
-    {
-      const auto b = std::lower_bound(group.begin(), group.end(), at->first.second);
-      result(a, b - group.begin()) = at->second;
-    }
-  return result;
-}
 
 /// Clusters of the classes of an overlay, by the share of the votes that have two points of them
 /// together, on average over the points: pairs of points add up under merging.
@@ -256,6 +123,7 @@ private:
     {
       return std::tie(share, pairs, other.a, other.b) < std::tie(other.share, other.pairs, a, b);
     }
+    bool has(const int cluster) const { return a == cluster || b == cluster; }
   };
 
   int size() const { return static_cast<int>(m_sizes.size()); }
@@ -289,9 +157,8 @@ private:
     find_best(a, least);
     for (int c = 0; c < size(); ++c)
     {
-      const auto [first, second] = std::make_pair(m_best[c].a, m_best[c].b);
       if (c == a || c == b) continue;
-      if (first == a || first == b || second == a || second == b)
+      if (m_best[c].has(a) || m_best[c].has(b))
         find_best(c, least);
       else
         m_best[c] = (std::max)(m_best[c], candidate(c, a, least));
@@ -318,7 +185,7 @@ private:
   With_image merge_with_image(const Candidate& merge, const int c, const int d,
                               const double least) const
   {
-    const bool has_c = c == merge.a || c == merge.b, has_d = d == merge.a || d == merge.b;
+    const bool has_c = merge.has(c), has_d = merge.has(d);
     if (has_c == has_d) return With_image::BOTH;
     const int other = has_c ? d : c, shared = has_c ? c : d;
     const double pairs = (m_sizes[merge.a] + m_sizes[merge.b]) * m_sizes[other];
@@ -343,7 +210,9 @@ private:
   Eigen::MatrixXd m_together;
   /// points of a row's cluster whose mirror images lie in a column's; or empty
   Eigen::MatrixXd m_mirrored;
-  std::vector<Candidate> m_best;           ///< of each cluster
+  /// Of each cluster. A queue of all pairs took 1.5 times as long on shapes of thousands of classes, as of 5,000
+  /// pieces or of a noisy sheet (whole run; `benchmark_speed`).
+  std::vector<Candidate> m_best;
   std::set<std::pair<int, int>> m_refused; ///< that their images keep from being merged as they are
 };
 
@@ -389,7 +258,7 @@ inline std::vector<int> consensus_clusters(const Overlay& classes, const std::ve
 /// `minimum_size` points join the one that they agree with most. `image`: where a plane of
 /// reflection takes each point, as in `Mirror`; empty if there is no such plane.
 ///
-/// Complexity: linear in the number of points, besides O(m^2 log m) for m classes of the overlay that the votes know
+/// Complexity: linear in the number of points, besides O(m^2) expected for m classes of the overlay that the votes know
 /// anything about together.
 inline std::vector<int> consensus_labels(std::vector<Votes> votes, const double least,
                                          const double minimum_size,

@@ -134,9 +134,6 @@ public:
   std::vector<int> labels() const;
 
 private:
-  /// calls `f(i, edge, seam)` for the neighbor edges of each point to other patches, with the seam seen from the point.
-  template <typename Function>
-  void for_each_crossing(const Neighbor_graph& graph, const Patches& patches, const Function& f);
   Seam& measured_seam(int a, int b);
   /// visibility over the pairs of patches of `a` and `b`, whether they are adjacent or not
   Seam measure_visibility(int a, int b);
@@ -151,26 +148,6 @@ private:
   double m_total = 0.;
   bool m_has_profiles = false;
 };
-
-template <typename Function>
-void Region_graph::for_each_crossing(const Neighbor_graph& graph, const Patches& patches,
-                                     const Function& f)
-{
-  for (Index i = 0; i < graph.size(); ++i)
-  {
-    const int a = patches.of_point[i];
-    int last = a; // most neighbors of a point that are in another patch are in the same one
-    Seam* seam = nullptr;
-    for (const Neighbor& edge : graph[i])
-    {
-      const int b = patches.of_point[edge.point];
-      if (a == b) continue;
-      if (b != last) seam = &m_seams[a][b];
-      last = b;
-      f(i, edge, *seam);
-    }
-  }
-}
 
 inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_graph& graph,
                                   const Patches& patches, Patch_visibility& visibility,
@@ -189,14 +166,17 @@ inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_
   }
   const float tolerance = radians(parameters.seam_concavity_tolerance);
   const float opposite = radians(115.); // from the trial of the method
-  const auto count = [&](Index, const Neighbor& edge, Seam& seam)
-  {
-    seam.edges += 1.;
-    if (edge.concavity <= 0.f) seam.convex += 1.;
-    if (edge.concavity > tolerance) seam.concave += 1.;
-    if (edge.concavity < -opposite) seam.opposite += 1.;
-  };
-  for_each_crossing(graph, patches, count);
+  for (Index i = 0; i < graph.size(); ++i)
+    for (const Neighbor& edge : graph[i])
+    {
+      const int a = patches.of_point[i], b = patches.of_point[edge.point];
+      if (a == b) continue;
+      Seam& seam = m_seams[a][b];
+      seam.edges += 1.;
+      if (edge.concavity <= 0.f) seam.convex += 1.;
+      if (edge.concavity > tolerance) seam.concave += 1.;
+      if (edge.concavity < -opposite) seam.opposite += 1.;
+    }
 }
 
 inline void Region_graph::add_shapes(const Oriented_points& points, const Neighbor_graph& graph,
@@ -208,12 +188,14 @@ inline void Region_graph::add_shapes(const Oriented_points& points, const Neighb
       m_regions[p].shape.add(points.positions[i], points.normals[i], graph.spacing[i]);
   for (std::size_t s = 0; s < samples.size(); ++s)
     m_regions[patches.of_point[samples[s].point]].samples.push_back(static_cast<Index>(s));
-  const auto add = [&](const Index i, const Neighbor& edge, Seam& seam)
-  {
-    seam.shape.add(points.positions[i], points.normals[i],
-                   0.5f * (graph.spacing[i] + graph.spacing[edge.point]));
-  };
-  for_each_crossing(graph, patches, add);
+  for (Index i = 0; i < graph.size(); ++i)
+    for (const Neighbor& edge : graph[i])
+    {
+      const int a = patches.of_point[i], b = patches.of_point[edge.point];
+      if (a != b)
+        m_seams[a][b].shape.add(points.positions[i], points.normals[i],
+                                0.5f * (graph.spacing[i] + graph.spacing[edge.point]));
+    }
   // both ends of an edge belong to the seam, whichever of its regions it is looked at from
   for (std::size_t a = 0; a < m_seams.size(); ++a)
     for (auto& [b, seam] : m_seams[a])
@@ -232,14 +214,12 @@ inline void Region_graph::add_profiles(const Oriented_points& points, const Neig
   for (std::size_t p = 0; p < patches.size(); ++p) // patches are near convex
     m_regions[p].inside_visibility = m_patch_sizes[p] * m_patch_sizes[p];
   const Smoothed_borders borders(points, graph, patches, {0.015f, 0.03f, 0.06f});
-  const auto add = [&](const Index i, const Neighbor& edge, Seam& seam)
-  {
-    if (patches.of_point[i] < patches.of_point[edge.point]) seam.profile.add_edge(borders, i, edge);
-  };
-  for_each_crossing(graph, patches, add);
-  for (std::size_t a = 0; a < m_seams.size(); ++a) // it looks the same from both sides
-    for (const auto& [b, seam] : m_seams[a])
-      if (static_cast<int>(a) < b) m_seams[b].at(static_cast<int>(a)).profile = seam.profile;
+  for (Index i = 0; i < graph.size(); ++i)
+    for (const Neighbor& edge : graph[i])
+    {
+      const int a = patches.of_point[i], b = patches.of_point[edge.point];
+      if (a != b) m_seams[a][b].profile.add_edge(borders, i, edge);
+    }
 }
 
 inline Seam Region_graph::measure_visibility(const int a, const int b)

@@ -12,7 +12,6 @@
 // Additive statistics of regions and of seams beyond those that the paper's criteria need: the
 // weighted and the fitted merge cost judge by them.
 
-#include <CGAL/Weakly_convex_segmentation/internal/kernel/Float4.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Symmetric_matrix3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/patches/patches.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
@@ -163,27 +162,21 @@ public:
 private:
   void average_around(const Index center, const std::vector<Index>& members)
   {
-    std::array<Float4, Seam_profile::number_of_radii> position,
-        normal; // the fourth position counts
-    position.fill(Float4(0.f));
-    normal.fill(Float4(0.f));
-    const Vector3 c = m_points.positions[center];
+    std::array<Vector3, Seam_profile::number_of_radii> position{}, normal{};
+    std::array<float, Seam_profile::number_of_radii> count{};
     for (const Index i : members)
     {
-      const Vector3 &p = m_points.positions[i], &n = m_points.normals[i];
-      const Float4 p4(p.x, p.y, p.z, 1.f), n4(n.x, n.y, n.z, 0.f);
-      const float d = squared_length(p - c);
-      for (std::size_t r = 0; r < m_radii.size(); ++r)
+      const float d = squared_length(m_points.positions[i] - m_points.positions[center]);
+      for (std::size_t r = m_radii.size(); r-- > 0 && d <= m_radii[r] * m_radii[r];)
       {
-        const Float4 weight(d <= m_radii[r] * m_radii[r] ? 1.f : 0.f); // no branch to guess
-        position[r] = position[r] + weight * p4;
-        normal[r] = normal[r] + weight * n4;
+        position[r] = position[r] + m_points.positions[i];
+        normal[r] = normal[r] + m_points.normals[i];
+        count[r] += 1.f;
       }
     }
     for (std::size_t r = 0; r < m_radii.size(); ++r)
-      m_means[center][r] = {
-          (1.f / position[r][3]) * Vector3{position[r][0], position[r][1], position[r][2]},
-          normalized({normal[r][0], normal[r][1], normal[r][2]}, m_points.normals[center])};
+      m_means[center][r] = {(1.f / count[r]) * position[r],
+                            normalized(normal[r], m_points.normals[center])};
   }
 
   const Oriented_points& m_points;
