@@ -1,12 +1,10 @@
 // Copyright (c) 2026  The Weakly_convex_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "baselines/compared_methods.h"
 #include "common/speed_shapes.h"
 #include "metrics/princeton_benchmark.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/mesh_segmentation.h>
 #include <CGAL/property_map.h>
 #include <CGAL/weakly_convex_segmentation.h>
 
@@ -21,14 +19,16 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/resource.h>
 
 // How fast the default is, in ratios that mean the same on any machine: against CGAL's search for ten
-// nearest neighbors of the same points, and against CGAL's shape diameter function on the same meshes.
+// nearest neighbors of the same points, and against other methods on the same meshes.
 
 namespace {
 
@@ -125,48 +125,47 @@ void compare_shapes(const std::size_t size, const std::size_t runs)
               << " times the time a point of an ordinary shape" << std::endl;
 }
 
-using Surface_mesh =
-    CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
-
-// The ratio of CGAL's default to ours for one mesh; 0 if it is no manifold.
-double sdf_ratio(const Segmentation_metrics::Mesh& soup)
+// CPU seconds of each method for one mesh; none if it is no manifold.
+std::map<std::string, double> seconds_of_methods(const Segmentation_metrics::Mesh& soup,
+                                                 const std::filesystem::path& programs)
 {
-  Surface_mesh mesh;
-  for (const auto& p : soup.points) mesh.add_vertex({p[0], p[1], p[2]});
-  const auto vertex = [](const std::size_t v)
-  { return Surface_mesh::Vertex_index(static_cast<Surface_mesh::size_type>(v)); };
-  for (const auto& f : soup.faces)
-    if (mesh.add_face(vertex(f[0]), vertex(f[1]), vertex(f[2])) == Surface_mesh::null_face())
-      return 0.;
-  auto label = mesh.add_property_map<Surface_mesh::Face_index, int>("f:label").first;
-  auto part = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:part").first;
-  auto diameter = mesh.add_property_map<Surface_mesh::Face_index, double>("f:sdf").first;
-  const double ours =
-      seconds_of(cpu_seconds, [&] { CGAL::weakly_convex_segmentation(mesh, label); });
-  const double theirs = seconds_of(cpu_seconds,
-                                   [&]
-                                   {
-                                     CGAL::sdf_values(mesh, diameter);
-                                     CGAL::segmentation_from_sdf_values(mesh, diameter, part);
-                                   });
-  return theirs / ours;
+  using namespace Compared_methods;
+  const Shape shape{soup, surface_mesh(soup), {}, programs};
+  std::map<std::string, double> seconds;
+  if (shape.mesh.is_empty()) return seconds;
+  std::vector<std::vector<Labeling>> results = {segment_by_default(shape), segment_by_sdf(shape),
+                                                segment_by_preset(shape, "training_free")};
+  if (Pcl_program::is_built(programs)) results.push_back(segment_by_pcl(shape, "cpc"));
+  for (const auto& labelings : results)
+    for (const Labeling& labeling : labelings) seconds[labeling.method] = labeling.cpu_seconds;
+  return seconds;
 }
 
-void compare_with_sdf(const std::filesystem::path& folder, const int step)
+// Other methods' times on the same meshes, as ratios to the default's.
+void compare_with_others(const std::filesystem::path& folder, const int step,
+                         const std::filesystem::path& programs)
 {
-  std::vector<double> ratios;
+  std::map<std::string, std::vector<double>> ratios;
   for (int model = 1, seen = 0; model <= 400; ++model)
   {
     const auto path = folder / "off" / (std::to_string(model) + ".off");
     if (!Segmentation_metrics::is_in_benchmark(model) || !std::filesystem::exists(path)) continue;
     if (seen++ % step != 0) continue;
-    const double ratio = sdf_ratio(Segmentation_metrics::read_off(path));
-    if (ratio > 0.) ratios.push_back(ratio);
+    const auto seconds = seconds_of_methods(Segmentation_metrics::read_off(path), programs);
+    for (const auto& [method, own] : seconds) ratios[method].push_back(own / seconds.at("default"));
   }
   if (ratios.empty()) throw std::runtime_error("'" + folder.string() + "' has no off/N.off");
-  std::cout << ratios.size() << " meshes: CGAL's segmentation by its shape diameter function takes "
-            << std::setprecision(1) << median(ratios) << " times as long (least "
-            << *std::min_element(ratios.begin(), ratios.end()) << ")\n";
+  const std::pair<const char*, const char*> methods[] = {
+      {"sdf", "CGAL's segmentation by its shape diameter function"},
+      {"cpc", "PCL's CPC"},
+      {"training_free", "the preset training_free"}};
+  for (const auto& [method, name] : methods)
+    if (const auto& own = ratios[method]; own.empty())
+      std::cout << name << " is not measured: PCL was not there when this was built\n";
+    else
+      std::cout << own.size() << " meshes: " << name << " takes " << std::setprecision(2)
+                << median(own) << " times as long (least "
+                << *std::min_element(own.begin(), own.end()) << ")\n";
 }
 
 } // namespace
@@ -199,8 +198,10 @@ int main(int argc, char* argv[])
       if (size <= largest) sizes.push_back(size);
     compare_with_neighbors(sizes, runs);
     compare_shapes((std::min)(largest, std::size_t(50000)), runs);
-    compare_threads((std::min)(largest, std::size_t(1000000)), runs);
-    if (!data.empty()) compare_with_sdf(data, step);
+    for (const std::size_t size : {20000u, 1000000u})
+      if (size <= largest) compare_threads(size, runs);
+    if (!data.empty())
+      compare_with_others(data, step, std::filesystem::path(argv[0]).parent_path());
   }
   catch (const std::exception& e)
   {
