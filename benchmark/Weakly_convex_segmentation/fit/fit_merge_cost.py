@@ -156,13 +156,17 @@ def write_header(path, booster, comment):
                   f"#endif // {guard}\n")
 
 
-def cross_validate(samples, protocol, folder):
+def all_models(data):
+    """returns the numbers of all models: of some no merge is uncertain, and they have no samples."""
+    return np.array(sorted(int(path.stem) for path in (pathlib.Path(data) / "off").glob("*.off")))
+
+
+def cross_validate(samples, models, protocol, folder):
     """writes a table of trees a fold, and which model is to be judged by which."""
     folder.mkdir(parents=True, exist_ok=True)
     fold = fold_of(samples[0], protocol)
     for k in range(FOLDS[protocol]):
         write_table(folder / f"{k}.txt", train(samples, fold != k))
-    models = np.unique(samples[0])
     with open(folder / "folds.txt", "w", encoding="ascii") as out:
         for model, k in zip(models, fold_of(models, protocol)):
             out.write(f"{int(model)} {k}\n")
@@ -206,7 +210,7 @@ def main():
     print(len(samples[0]), "samples", flush=True)
     for protocol in filter(None, options.protocols.split(",")):
         tables = options.work / f"tables_{protocol}"
-        cross_validate(samples, protocol, tables)
+        cross_validate(samples, all_models(options.data), protocol, tables)
         for variant in filter(None, options.score.split(",")):
             print(f"cross-validated over {protocol}, {variant}", flush=True)
             call(options, "score", variant, tables)
