@@ -211,7 +211,7 @@ private:
   /// points of a row's cluster whose mirror images lie in a column's; or empty
   Eigen::MatrixXd m_mirrored;
   /// Of each cluster. A queue of all pairs took 1.5 times as long on shapes of thousands of classes, as of 5,000
-  /// pieces or of a noisy sheet (whole run; `benchmark_speed`).
+  /// pieces or of a flat sheet (whole run; `benchmark_speed`).
   std::vector<Candidate> m_best;
   std::set<std::pair<int, int>> m_refused; ///< that their images keep from being merged as they are
 };
