@@ -213,6 +213,46 @@ BOOST_AUTO_TEST_CASE(a_frame_along_the_axes_is_the_same_in_any_order)
   }
 }
 
+BOOST_AUTO_TEST_CASE(last_digits_do_not_turn_the_frame_of_an_even_shape)
+{
+  const auto radius_of_vase = [](const double x) { return 0.3 + 0.1 * x; };
+  const auto radius_of_barrel = [](const double x) { return 0.4 - 0.1 * x * x; };
+  const auto body = [](const auto& radius)
+  {
+    constexpr double pi = 3.14159265358979323846;
+    std::vector<Coordinates> points;
+    for (int i = -10; i <= 10; ++i)
+      for (int k = 0; k < 12; ++k)
+      {
+        const double x = 0.1 * i, r = radius(x);
+        const double y = r * std::cos(pi * k / 6.), z = r * std::sin(pi * k / 6.);
+        points.push_back(
+            {-0.48 * x - 0.64 * y + 0.6 * z, 0.8 * x - 0.6 * y, 0.36 * x + 0.48 * y + 0.8 * z});
+      }
+    return points;
+  };
+  std::vector<Coordinates> cube;
+  for (int i = 0; i < 8; ++i) cube.push_back({1. * (i & 1), 1. * ((i >> 1) & 1), 1. * (i >> 2)});
+  std::mt19937 random(7);
+  for (const auto& points : {body(radius_of_vase), body(radius_of_barrel), cube})
+  {
+    const Frame frame = pca_frame(points, false);
+    for (int round = 0; round < 8; ++round)
+    {
+      std::vector<Coordinates> moved = points;
+      for (Coordinates& p : moved)
+        for (double& c : p) c += 1e-8 * (uniform(random) - 0.5);
+      const Frame again = pca_frame(moved, false);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        BOOST_CHECK_SMALL(length(again.axes[k] - frame.axes[k]), 1e-6);
+        BOOST_CHECK_SMALL(dot(frame.axes[k], frame.axes[(k + 1) % 3]), 1e-12);
+      }
+      BOOST_CHECK_CLOSE(dot(cross(frame.axes[0], frame.axes[1]), frame.axes[2]), 1., 1e-9);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(sums_are_the_same_in_any_order)
 {
   std::mt19937 random(3);

@@ -172,32 +172,51 @@ Mean_and_covariance measure_spread(const std::size_t n, const bool parallel, con
 }
 
 /// returns the eigenvectors of a symmetric matrix by growing eigenvalues. They are iterated: where two
-/// eigenvalues are nearly equal, the closed form of `Principal_axes` is less exact.
+/// eigenvalues are nearly equal, the closed form of `Principal_axes` is less exact. Where they are so nearly equal that
+/// the last digits of the points would decide, as for a vase, the coordinate axes do.
 inline std::array<Double3, 3> eigenvectors(const Symmetric_matrix3& m)
 {
+  constexpr double margin =
+      1e-4; // of the largest eigenvalue; single precision of points changes 1e-7
   Eigen::Matrix3d matrix;
   for (int c = 0; c < 3; ++c)
     for (int r = 0; r < 3; ++r) matrix(r, c) = m.column(c)[r];
-  const Eigen::Matrix3d vectors =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvectors();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
+  const Eigen::Matrix3d& vectors = solver.eigenvectors();
+  const Eigen::Vector3d& values = solver.eigenvalues();
   std::array<Double3, 3> axes;
   for (int c = 0; c < 3; ++c)
     axes[static_cast<std::size_t>(c)] = {vectors(0, c), vectors(1, c), vectors(2, c)};
+  const bool first = values[1] - values[0] <= margin * values[2]; // two that are equal
+  const bool last = values[2] - values[1] <= margin * values[2];
+  if (first && last) return Frame().axes;
+  if (!first && !last) return axes;
+  const std::size_t single = first ? 2 : 0;
+  const Double3 own = axes[single];
+  const std::size_t across = std::abs(own.x) < 0.6 ? 0 : 1; // one of the first two is
+  const Double3 axis = Frame().axes[across];
+  const Double3 beside = axis - dot(axis, own) * own;
+  axes[first ? 0 : 1] = beside / std::sqrt(dot(beside, beside));
+  axes[first ? 1 : 2] = cross(own, axes[first ? 0 : 1]);
   return axes;
 }
 
 /// turns axes to where the points reach farther, as far as a rotation allows: of the three signs, that of the
-/// most even axis follows from the others. `third`: the third moments along the axes.
+/// most even axis follows from the others. `third`: the third moments along the axes. Where the points are so even that
+/// their last digits would decide, an axis goes to one side of the coordinates.
 inline void choose_signs(const Mean_and_covariance& spread, const std::array<double, 3>& third,
                          std::array<Double3, 3>& axes)
 {
+  constexpr double margin = 1e-5;
+  constexpr Double3 side = {0.8, 0.51, 0.23}; // across no axis that shapes have
   std::size_t evenest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k)
   {
-    if (third[k] < 0.) axes[k] = -1. * axes[k];
     const double variance = spread.covariance.form(axes[k]);
-    const double skew = variance > 0. ? std::abs(third[k]) / std::pow(variance, 1.5) : 0.;
+    double skew = variance > 0. ? std::abs(third[k]) / std::pow(variance, 1.5) : 0.;
+    if (skew < margin) skew = 0.;
+    if ((skew > 0. ? third[k] : dot(side, axes[k])) < 0.) axes[k] = -1. * axes[k];
     if (skew >= least) continue;
     least = skew;
     evenest = k;
@@ -222,7 +241,7 @@ inline std::array<Double3, 3> turned_obliquely(const std::array<Double3, 3>& axe
 
 /// returns a frame that turns with the points: it is oblique to their principal axes, always in the same
 /// way. Where two of the principal moments are equal, as those of a vase, any axes across the third may be
-/// meant, and rounding decides.
+/// meant: it does not turn with the points there.
 ///
 /// Complexity: three linear passes. The result does not depend on the order of the points.
 inline Frame pca_frame(const std::vector<Coordinates>& positions, const bool parallel)
