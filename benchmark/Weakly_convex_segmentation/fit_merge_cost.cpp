@@ -10,8 +10,8 @@
 //   fit_merge_cost names                                            features, in order
 //
 // VARIANT is what the models are turned into: mesh, points, half, surface, one_view, two_views,
-// four_views, noisy_scan, and NAME=VALUE is a member of Parameters. TABLES is a folder with tables of trees,
-// K.txt, and folds.txt, which names a model and its table a line.
+// four_views, noisy_scan, stretched, noisy_mesh, hull, and NAME=VALUE is a member of Parameters. TABLES is a folder
+// with tables of trees, K.txt, and folds.txt, which names a model and its table a line.
 
 #include "fit/patch_scores.h"
 #include "fit/saved_models.h"
@@ -27,6 +27,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -92,11 +93,12 @@ private:
   std::map<std::string, Tree_table> m_tables;
 };
 
-/// Share of the pairs of elements across two regions that people put in one part, the mean over people.
+/// Share of the pairs of elements across two regions that people put in one part, the mean over people; NaN if a region
+/// has none.
 double agreement(const Model& model, const WCS::internal::Region_graph& graph, const int a,
                  const int b)
 {
-  double sum = 0., size_a = 0., size_b = 0.; // a patch may have no element that it has most of
+  double sum = 0., size_a = 0., size_b = 0.; // a patch of points of large faces may have no face
   for (const int p : graph.region(a).patches) size_a += model.patch_sizes[p];
   for (const int p : graph.region(b).patches) size_b += model.patch_sizes[p];
   for (const auto& annotator : model.annotators)
@@ -112,11 +114,11 @@ double agreement(const Model& model, const WCS::internal::Region_graph& graph, c
       }
   }
   const double count = size_a * size_b * static_cast<double>(model.annotators.size());
-  return count > 0. ? sum / count : 0.5;
+  return count > 0. ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// writes one row for each merge that is judged on the way of a set of patches down to one region, by the weighted
-/// cost: model, weight, target, features.
+/// cost: model, weight, target (NaN if there is none), features.
 void write_samples(const Model& model, const WCS::internal::Patch_set& set, std::ofstream& out)
 {
   const WCS::internal::Shape_analysis& shape = *model.shape;

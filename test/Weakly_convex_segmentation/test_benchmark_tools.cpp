@@ -13,8 +13,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <set>
@@ -368,6 +370,58 @@ BOOST_AUTO_TEST_CASE(parts_are_measured_without_people)
     const std::string error = folder.read("err.txt");
     BOOST_TEST(std::count(error.begin(), error.end(), '\n') == 1);
   }
+}
+
+BOOST_AUTO_TEST_CASE(merges_of_all_variants_of_a_shape_are_samples_for_the_fit)
+{
+  const Scratch_folder folder;
+  write_model(folder, 1, "figure");
+  const std::string fit = program("fit_merge_cost");
+  BOOST_REQUIRE(exit_code(folder, fit + " names") == 0);
+  const std::string names = folder.read("out.txt");
+  const auto features = static_cast<std::size_t>(std::count(names.begin(), names.end(), '\n'));
+  const auto samples = [&](const std::string& variant, const int seed)
+  {
+    const std::string call = fit + " samples data " + variant + " out.bin seed=";
+    BOOST_REQUIRE(exit_code(folder, call + std::to_string(seed)) == 0);
+    const std::string bytes = folder.read("out.bin");
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+    BOOST_REQUIRE(values.size() % (3 + features) == 0);
+    return values;
+  };
+  const auto least_target = [&](const std::vector<float>& values)
+  {
+    float least = 1.f;
+    for (std::size_t row = 0; row < values.size(); row += 3 + features)
+    {
+      BOOST_CHECK_EQUAL(values[row], 1.f);  // the model
+      const float target = values[row + 2]; // none where a region has no face
+      BOOST_CHECK(std::isnan(target) || target <= 1.f);
+      if (target < least) least = target;
+    }
+    return least;
+  };
+  std::set<std::string> different;
+  for (const char* const variant : {"mesh", "points", "half", "surface", "one_view", "two_views",
+                                    "four_views", "noisy_scan", "stretched", "noisy_mesh"})
+    BOOST_TEST_CONTEXT(variant)
+    {
+      const auto values = samples(variant, 0);
+      different.insert(folder.read("out.bin"));
+      const float least = least_target(values); // one of the two people has it in one part
+      BOOST_CHECK(least >= 0.499f && least < 0.6f);
+    }
+  BOOST_CHECK_GE(different.size(), 9u); // centroids of even faces are neighbors as in the mesh
+  std::size_t of_hulls = 0;
+  for (int seed = 0; seed < 8; ++seed)
+  {
+    const auto values = samples("hull", seed);
+    BOOST_CHECK_EQUAL(least_target(values), 1.f);
+    of_hulls += values.size();
+  }
+  BOOST_CHECK_GT(of_hulls, 0u);
+  BOOST_TEST(exit_code(folder, fit + " samples data no_such_variant out.bin") == 1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,9 +7,14 @@
 #include "metrics/princeton_benchmark.h"
 #include "scanner/virtual_scanner.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Weakly_convex_segmentation/internal/input/read_input.h>
 #include <CGAL/Weakly_convex_segmentation/internal/pipeline.h>
+#include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +44,10 @@ enum class Variant
   ONE_VIEW,   ///< the face centroids that are seen from a random side
   TWO_VIEWS,  ///< the same from two sides
   FOUR_VIEWS, ///< the same from four sides
-  NOISY_SCAN  ///< what a depth camera with realistic noise sees from 1, 2, 4 or 8 sides
+  NOISY_SCAN, ///< what a depth camera with realistic noise sees from 1, 2, 4 or 8 sides
+  STRETCHED,  ///< the mesh stretched or squeezed along a random direction, by up to half
+  NOISY_MESH, ///< the mesh with noise of .05 to 1 % of its diagonal on its vertices
+  HULL ///< the flattened convex hull of a random part, a mesh or points without normals: one part
 };
 
 inline Variant variant_of_name(const std::string& name)
@@ -51,7 +59,10 @@ inline Variant variant_of_name(const std::string& name)
                                                               {Variant::ONE_VIEW, "one_view"},
                                                               {Variant::TWO_VIEWS, "two_views"},
                                                               {Variant::FOUR_VIEWS, "four_views"},
-                                                              {Variant::NOISY_SCAN, "noisy_scan"}};
+                                                              {Variant::NOISY_SCAN, "noisy_scan"},
+                                                              {Variant::STRETCHED, "stretched"},
+                                                              {Variant::NOISY_MESH, "noisy_mesh"},
+                                                              {Variant::HULL, "hull"}};
   for (const auto& [variant, its_name] : names)
     if (name == its_name) return variant;
   throw std::invalid_argument("there is no variant '" + name + "'");
@@ -148,13 +159,85 @@ inline Variant_shape noisy_scan(const SM::Mesh& mesh, const unsigned int seed)
   return shape;
 }
 
-inline Variant_shape make_variant(const SM::Mesh& mesh, const Variant variant,
-                                  const unsigned int seed)
+/// stretches along a random direction, by `factor`.
+inline void stretch(SM::Mesh& mesh, const double factor, std::mt19937& random)
+{
+  std::normal_distribution<double> normal;
+  std::array<double, 3> along = {normal(random), normal(random), normal(random)};
+  const double length = std::hypot(along[0], along[1], along[2]);
+  for (double& x : along) x /= length;
+  for (SM::Point& p : mesh.points)
+  {
+    const double height = p[0] * along[0] + p[1] * along[1] + p[2] * along[2];
+    for (int x = 0; x < 3; ++x) p[x] += (factor - 1.) * height * along[x];
+  }
+}
+
+/// returns a random number, as likely within a factor anywhere between these.
+inline double random_factor(const double low, const double high, std::mt19937& random)
+{
+  return low * std::pow(high / low, std::uniform_real_distribution<double>(0., 1.)(random));
+}
+
+/// moves the vertices by noise of .05 to 1 % of the diagonal.
+inline void add_noise(SM::Mesh& mesh, std::mt19937& random)
+{
+  SM::Point low = mesh.points.front(), high = low;
+  for (const SM::Point& p : mesh.points)
+    for (int x = 0; x < 3; ++x)
+    {
+      low[x] = (std::min)(low[x], p[x]);
+      high[x] = (std::max)(high[x], p[x]);
+    }
+  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  std::normal_distribution<double> normal(0., random_factor(0.0005, 0.01, random) * diagonal);
+  for (SM::Point& p : mesh.points)
+    for (double& x : p) x += normal(random);
+}
+
+/// returns the convex hull of a random part, larger ones more often, flattened by up to 200: one part to everybody, as
+/// no labeled shape is. Half of them are points without normals.
+inline Variant_shape hull_of_part(const SM::Mesh& mesh,
+                                  const std::vector<SM::Segmentation>& segmentations,
+                                  std::mt19937& random)
+{
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  const SM::Segmentation& labels = segmentations.at(random() % segmentations.size());
+  const std::size_t its_face = random() % labels.size();
+  std::vector<Point> points;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if (labels[f] == labels[its_face])
+      for (const std::size_t v : mesh.faces[f])
+        points.emplace_back(mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]);
+  CGAL::Surface_mesh<Point> hull_mesh;
+  CGAL::convex_hull_3(points.begin(), points.end(), hull_mesh);
+  CGAL::Polygon_mesh_processing::triangulate_faces(hull_mesh); // of a flat part
+  points.clear();
+  SM::Mesh hull;
+  CGAL::Polygon_mesh_processing::polygon_mesh_to_polygon_soup(hull_mesh, points, hull.faces);
+  for (const Point& p : points) hull.points.push_back({p.x(), p.y(), p.z()});
+  stretch(hull, random_factor(0.005, 1., random), random);
+  Variant_shape shape = {read_raw(hull), std::vector<std::size_t>(hull.faces.size())};
+  if (random() % 2 == 0)
+  {
+    shape = surface_points(hull, shape.raw, 5000, random);
+    shape.raw.normals.clear();
+  }
+  std::fill(shape.faces.begin(), shape.faces.end(), its_face);
+  return shape;
+}
+
+/// returns a variant of a mesh; `segmentations` are people's.
+inline Variant_shape make_variant(SM::Mesh mesh, const Variant variant, const unsigned int seed,
+                                  const std::vector<SM::Segmentation>& segmentations = {})
 {
   std::mt19937 random(seed);
+  if (variant == Variant::HULL) return hull_of_part(mesh, segmentations, random);
+  if (variant == Variant::STRETCHED) stretch(mesh, random_factor(2. / 3., 1.5, random), random);
+  if (variant == Variant::NOISY_MESH) add_noise(mesh, random);
   Variant_shape shape;
   shape.raw = read_raw(mesh);
-  if (variant == Variant::MESH)
+  if (variant == Variant::MESH || variant == Variant::STRETCHED || variant == Variant::NOISY_MESH)
   {
     shape.faces.resize(mesh.faces.size());
     std::iota(shape.faces.begin(), shape.faces.end(), std::size_t(0));

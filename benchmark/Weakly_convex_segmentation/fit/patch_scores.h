@@ -73,12 +73,13 @@ inline Model load(const std::filesystem::path& data, const int number,
                   const WCS::Parameters& parameters, const Variant variant = Variant::MESH)
 {
   const SM::Mesh mesh = SM::read_off(data / "off" / (std::to_string(number) + ".off"));
+  const auto segmentations = SM::read_annotations(data, number, mesh.faces.size());
   const auto shape = Shape_variants::make_variant(
-      mesh, variant, static_cast<unsigned int>(number) + 1000 * parameters.seed);
+      mesh, variant, static_cast<unsigned int>(number) + 1000 * parameters.seed, segmentations);
   Model model;
   model.number = number;
   model.shape = WCS::internal::analyze_shape(shape.raw, parameters, {});
-  for (const auto& of_faces : SM::read_annotations(data, number, mesh.faces.size()))
+  for (const auto& of_faces : segmentations)
   {
     Annotator annotator;
     for (const std::size_t f : shape.faces) annotator.labels.push_back(of_faces[f]);
