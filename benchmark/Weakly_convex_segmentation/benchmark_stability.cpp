@@ -34,6 +34,9 @@
 namespace WCS = CGAL::Weakly_convex_segmentation;
 namespace SM = Segmentation_metrics;
 namespace po = boost::program_options;
+using Shape_variants::diagonal;
+using Shape_variants::moved;
+using Shape_variants::noisy;
 using Shape_variants::Raw_shape;
 
 namespace {
@@ -63,24 +66,6 @@ double distance_of_labels(const std::vector<int>& a, const std::vector<int>& b)
   return (pairs(of_a) + pairs(of_b) - 2. * pairs(both)) / (0.5 * n * (n - 1.));
 }
 
-SM::Mesh moved(SM::Mesh mesh, const std::function<SM::Point(const SM::Point&)>& move)
-{
-  for (SM::Point& p : mesh.points) p = move(p);
-  return mesh;
-}
-
-double diagonal(const SM::Mesh& mesh)
-{
-  SM::Point low = mesh.points.front(), high = low;
-  for (const SM::Point& p : mesh.points)
-    for (std::size_t x = 0; x < 3; ++x)
-    {
-      low[x] = (std::min)(low[x], p[x]);
-      high[x] = (std::max)(high[x], p[x]);
-    }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-}
-
 double mean_edge(const SM::Mesh& mesh)
 {
   double sum = 0.;
@@ -91,15 +76,6 @@ double mean_edge(const SM::Mesh& mesh)
       sum += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     }
   return sum / (3. * static_cast<double>(mesh.faces.size()));
-}
-
-SM::Mesh noisy(const SM::Mesh& mesh, const double deviation, std::mt19937& random)
-{
-  std::normal_distribution<double> noise(0., deviation);
-  return moved(mesh,
-               [&](const SM::Point& p) {
-                 return SM::Point{p[0] + noise(random), p[1] + noise(random), p[2] + noise(random)};
-               });
 }
 
 /// two points a face, in the middle of its halves beside the midpoint of its longest edge

@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -159,40 +160,52 @@ inline Variant_shape noisy_scan(const SM::Mesh& mesh, const unsigned int seed)
   return shape;
 }
 
-/// stretches along a random direction, by `factor`.
-inline void stretch(SM::Mesh& mesh, const double factor, std::mt19937& random)
+inline SM::Mesh moved(SM::Mesh mesh, const std::function<SM::Point(const SM::Point&)>& move)
+{
+  for (SM::Point& p : mesh.points) p = move(p);
+  return mesh;
+}
+
+inline double diagonal(const SM::Mesh& mesh)
+{
+  SM::Point low = mesh.points.front(), high = low;
+  for (const SM::Point& p : mesh.points)
+    for (std::size_t x = 0; x < 3; ++x)
+    {
+      low[x] = (std::min)(low[x], p[x]);
+      high[x] = (std::max)(high[x], p[x]);
+    }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+inline SM::Mesh noisy(const SM::Mesh& mesh, const double deviation, std::mt19937& random)
+{
+  std::normal_distribution<double> noise(0., deviation);
+  return moved(mesh,
+               [&](const SM::Point& p) {
+                 return SM::Point{p[0] + noise(random), p[1] + noise(random), p[2] + noise(random)};
+               });
+}
+
+/// stretches along a random direction.
+inline SM::Mesh stretched(const SM::Mesh& mesh, const double factor, std::mt19937& random)
 {
   std::normal_distribution<double> normal;
-  std::array<double, 3> along = {normal(random), normal(random), normal(random)};
-  const double length = std::hypot(along[0], along[1], along[2]);
-  for (double& x : along) x /= length;
-  for (SM::Point& p : mesh.points)
-  {
-    const double height = p[0] * along[0] + p[1] * along[1] + p[2] * along[2];
-    for (int x = 0; x < 3; ++x) p[x] += (factor - 1.) * height * along[x];
-  }
+  const SM::Point d = {normal(random), normal(random), normal(random)};
+  const double squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  return moved(mesh,
+               [&](const SM::Point& p)
+               {
+                 const double along = p[0] * d[0] + p[1] * d[1] + p[2] * d[2];
+                 const double shift = (factor - 1.) * along / squared;
+                 return SM::Point{p[0] + shift * d[0], p[1] + shift * d[1], p[2] + shift * d[2]};
+               });
 }
 
 /// returns a random number, as likely within a factor anywhere between these.
 inline double random_factor(const double low, const double high, std::mt19937& random)
 {
   return low * std::pow(high / low, std::uniform_real_distribution<double>(0., 1.)(random));
-}
-
-/// moves the vertices by noise of .05 to 1 % of the diagonal.
-inline void add_noise(SM::Mesh& mesh, std::mt19937& random)
-{
-  SM::Point low = mesh.points.front(), high = low;
-  for (const SM::Point& p : mesh.points)
-    for (int x = 0; x < 3; ++x)
-    {
-      low[x] = (std::min)(low[x], p[x]);
-      high[x] = (std::max)(high[x], p[x]);
-    }
-  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-  std::normal_distribution<double> normal(0., random_factor(0.0005, 0.01, random) * diagonal);
-  for (SM::Point& p : mesh.points)
-    for (double& x : p) x += normal(random);
 }
 
 /// returns the convex hull of a random part, larger ones more often, flattened by up to 200: one part to everybody, as
@@ -216,7 +229,7 @@ inline Variant_shape hull_of_part(const SM::Mesh& mesh,
   SM::Mesh hull;
   CGAL::Polygon_mesh_processing::polygon_mesh_to_polygon_soup(hull_mesh, points, hull.faces);
   for (const Point& p : points) hull.points.push_back({p.x(), p.y(), p.z()});
-  stretch(hull, random_factor(0.005, 1., random), random);
+  hull = stretched(hull, random_factor(0.005, 1., random), random);
   Variant_shape shape = {read_raw(hull), std::vector<std::size_t>(hull.faces.size())};
   if (random() % 2 == 0)
   {
@@ -233,8 +246,10 @@ inline Variant_shape make_variant(SM::Mesh mesh, const Variant variant, const un
 {
   std::mt19937 random(seed);
   if (variant == Variant::HULL) return hull_of_part(mesh, segmentations, random);
-  if (variant == Variant::STRETCHED) stretch(mesh, random_factor(2. / 3., 1.5, random), random);
-  if (variant == Variant::NOISY_MESH) add_noise(mesh, random);
+  if (variant == Variant::STRETCHED)
+    mesh = stretched(mesh, random_factor(2. / 3., 1.5, random), random);
+  if (variant == Variant::NOISY_MESH)
+    mesh = noisy(mesh, random_factor(0.0005, 0.01, random) * diagonal(mesh), random);
   Variant_shape shape;
   shape.raw = read_raw(mesh);
   if (variant == Variant::MESH || variant == Variant::STRETCHED || variant == Variant::NOISY_MESH)

@@ -173,11 +173,11 @@ Mean_and_covariance measure_spread(const std::size_t n, const bool parallel, con
 
 /// returns the eigenvectors of a symmetric matrix by growing eigenvalues. They are iterated: where two
 /// eigenvalues are nearly equal, the closed form of `Principal_axes` is less exact. Where they are so nearly equal that
-/// the last digits of the points would decide, as for a vase, the coordinate axes do.
+/// the last digits of the points would decide, as for a vase, the coordinate axes do (single precision changes 1e-7 of
+/// the largest).
 inline std::array<Double3, 3> eigenvectors(const Symmetric_matrix3& m)
 {
-  constexpr double margin =
-      1e-4; // of the largest eigenvalue; single precision of points changes 1e-7
+  constexpr double margin = 1e-4;
   Eigen::Matrix3d matrix;
   for (int c = 0; c < 3; ++c)
     for (int r = 0; r < 3; ++r) matrix(r, c) = m.column(c)[r];
@@ -191,13 +191,12 @@ inline std::array<Double3, 3> eigenvectors(const Symmetric_matrix3& m)
   const bool last = values[2] - values[1] <= margin * values[2];
   if (first && last) return Frame().axes;
   if (!first && !last) return axes;
-  const std::size_t single = first ? 2 : 0;
+  const std::size_t single = first ? 2 : 0, next = (single + 1) % 3;
   const Double3 own = axes[single];
-  const std::size_t across = std::abs(own.x) < 0.6 ? 0 : 1; // one of the first two is
-  const Double3 axis = Frame().axes[across];
-  const Double3 beside = axis - dot(axis, own) * own;
-  axes[first ? 0 : 1] = beside / std::sqrt(dot(beside, beside));
-  axes[first ? 1 : 2] = cross(own, axes[first ? 0 : 1]);
+  const Double3 axis = Frame().axes[std::abs(own.x) < 0.6 ? 0 : 1]; // one of the two is across
+  const Double3 across = axis - dot(axis, own) * own;
+  axes[next] = across / std::sqrt(dot(across, across));
+  axes[(next + 1) % 3] = cross(own, axes[next]);
   return axes;
 }
 
