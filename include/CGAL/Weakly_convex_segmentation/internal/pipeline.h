@@ -16,6 +16,7 @@
 #include <CGAL/Weakly_convex_segmentation/Result.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/absorb_strips.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/connected_parts.h>
+#include <CGAL/Weakly_convex_segmentation/internal/borders/mirrored_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/refine_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/borders/straighten_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
@@ -158,10 +159,12 @@ inline void keep_segments(const std::vector<int>& before, std::vector<int>& labe
     if (there.count(before[i]) == 0) labels[i] = before[i];
 }
 
-/// refines the borders and carries the labels to the input; `keeps_all`: no segment may vanish.
+/// refines the borders, alike on both sides of a mirror, and carries the labels to the input; `keeps_all`: no segment
+/// may vanish.
 inline Result finish_segmentation(const Shape_analysis& shape, Representative_labels labels,
                                   Merge_tree tree, const Parameters& parameters,
-                                  const Run_control& control, const bool keeps_all)
+                                  const Run_control& control, const bool keeps_all,
+                                  const Mirror& mirror = {})
 {
   Result result;
   const auto refine = [&]
@@ -169,6 +172,7 @@ inline Result finish_segmentation(const Shape_analysis& shape, Representative_la
     const std::vector<int> unrefined = labels.segments;
     const std::size_t moved =
         refine_borders(shape.graph, parameters, labels.segments, control.parallel);
+    match_borders(shape.graph, shape.points(), mirror, parameters, labels.segments);
     control.check();
     result.labels = element_labels(
         shape.input, carry_labels(shape, labels.segments, parameters, control), control.parallel);
@@ -229,7 +233,7 @@ inline Result segment_shape(Shape_analysis& shape, const Parameters& parameters,
     segments[i] = region[patches.patches.of_point[i]];
   Result result = finish_segmentation(
       shape, {std::move(patches.patches.of_point), std::move(segments)}, std::move(tree),
-      parameters, control, parameters.minimum_number_of_segments > 0);
+      parameters, control, parameters.minimum_number_of_segments > 0, mirror);
   if (!mirror.image.empty()) result.symmetry_plane = in_input(mirror, shape.input.placement);
   return result;
 }

@@ -55,6 +55,11 @@ inline void remove_islands(const Neighbor_graph& graph, std::vector<int>& labels
   }
 }
 
+inline bool moves_borders(const Border_parameters& parameters)
+{
+  return parameters.refinement != Refinement_rule::NONE && parameters.band_width > 0.;
+}
+
 /// moves the borders once, by the rule that is asked for.
 inline void move_borders(const Neighbor_graph& graph, const Border_parameters& parameters,
                          std::vector<int>& labels, const bool parallel)
@@ -72,7 +77,7 @@ inline std::size_t refine_borders(const Neighbor_graph& graph, const Border_para
                                   std::vector<int>& labels, const bool parallel = false,
                                   const int most_rounds = 3)
 {
-  if (parameters.refinement == Refinement_rule::NONE || parameters.band_width == 0.) return 0;
+  if (!moves_borders(parameters)) return 0;
   const bool is_repeated = parameters.refinement == Refinement_rule::SEAM_CUTS;
   const std::vector<int> before = labels;
   std::vector<int> last;
