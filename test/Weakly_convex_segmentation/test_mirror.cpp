@@ -180,6 +180,22 @@ BOOST_AUTO_TEST_CASE(votes_about_one_side_count_for_the_other)
   BOOST_CHECK(has_ends(agreed_labels(half, true)) == std::make_pair(true, true));
 }
 
+BOOST_AUTO_TEST_CASE(what_lies_between_two_sides_goes_to_neither_but_slivers)
+{
+  // the middle of 20 + middle + 20 points is with the one side as often as with the other
+  const auto goes_to_a_side = [](const std::size_t middle)
+  {
+    Labels with_first(20 + middle, 0), with_last(20, 0);
+    with_first.insert(with_first.end(), 20, 1);
+    with_last.insert(with_last.end(), middle + 20, 1);
+    const Labels labels = agreed_labels({with_first, with_last}, true);
+    BOOST_CHECK_NE(labels.front(), labels.back());
+    return labels[20] == labels.front() || labels[20] == labels.back();
+  };
+  BOOST_CHECK(goes_to_a_side(1));
+  BOOST_CHECK(!goes_to_a_side(4)); // as the trunk of a bird with large wings
+}
+
 BOOST_AUTO_TEST_CASE(a_border_is_put_where_its_image_costs_less)
 {
   const Found found(waisted_tube());

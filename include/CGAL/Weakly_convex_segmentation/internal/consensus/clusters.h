@@ -43,7 +43,7 @@ inline void merge_rows_and_columns(Eigen::MatrixXd& matrix, const int into, cons
 }
 
 /// Up to this share of the size of its neighbor a cluster across a plane of reflection may go to one of two sides.
-constexpr double largest_sliver = 0.25;
+constexpr double largest_sliver = 0.1;
 
 /// returns the cluster where most of the mirror images of a cluster's points lie, if it is about as large; else the
 /// cluster itself. `mirrored` has how many points of a row's cluster have them in a column's, or nothing.
