@@ -170,9 +170,9 @@ inline Result finish_segmentation(const Shape_analysis& shape, Representative_la
   const auto refine = [&]
   {
     const std::vector<int> unrefined = labels.segments;
-    const std::size_t moved =
-        refine_borders(shape.graph, parameters, labels.segments, control.parallel);
+    refine_borders(shape.graph, parameters, labels.segments, control.parallel);
     match_borders(shape.graph, shape.points(), mirror, parameters, labels.segments);
+    const std::size_t moved = number_of_changes(unrefined, labels.segments);
     control.check();
     result.labels = element_labels(
         shape.input, carry_labels(shape, labels.segments, parameters, control), control.parallel);

@@ -103,7 +103,7 @@ inline void match_borders(const Neighbor_graph& graph, const Oriented_points& po
                           const Mirror& mirror, const Border_parameters& parameters,
                           std::vector<int>& labels)
 {
-  if (mirror.image.empty() || !moves_borders(parameters)) return;
+  if (mirror.image.empty() || !has_refinement(parameters)) return;
   const std::map<int, int> images = images_of_labels(labels, mirror.image);
   const Borders_of_sides borders(graph, points, mirror.plane, labels);
   const std::vector<int> before = labels;

@@ -55,9 +55,17 @@ inline void remove_islands(const Neighbor_graph& graph, std::vector<int>& labels
   }
 }
 
-inline bool moves_borders(const Border_parameters& parameters)
+/// whether borders are refined at all
+inline bool has_refinement(const Border_parameters& parameters)
 {
   return parameters.refinement != Refinement_rule::NONE && parameters.band_width > 0.;
+}
+
+inline std::size_t number_of_changes(const std::vector<int>& before, const std::vector<int>& labels)
+{
+  std::size_t changes = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) changes += labels[i] != before[i] ? 1 : 0;
+  return changes;
 }
 
 /// moves the borders once, by the rule that is asked for.
@@ -77,7 +85,7 @@ inline std::size_t refine_borders(const Neighbor_graph& graph, const Border_para
                                   std::vector<int>& labels, const bool parallel = false,
                                   const int most_rounds = 3)
 {
-  if (!moves_borders(parameters)) return 0;
+  if (!has_refinement(parameters)) return 0;
   const bool is_repeated = parameters.refinement == Refinement_rule::SEAM_CUTS;
   const std::vector<int> before = labels;
   std::vector<int> last;
@@ -87,9 +95,7 @@ inline std::size_t refine_borders(const Neighbor_graph& graph, const Border_para
     move_borders(graph, parameters, labels, parallel);
     if (is_repeated) remove_islands(graph, labels);
   }
-  std::size_t moved = 0;
-  for (std::size_t i = 0; i < labels.size(); ++i) moved += labels[i] != before[i] ? 1 : 0;
-  return moved;
+  return number_of_changes(before, labels);
 }
 
 } // namespace internal
