@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -65,9 +66,10 @@ struct Square
       result.push_back(label(raw.positions[e][0], raw.positions[e][1]));
     return result;
   }
-  std::vector<int> after_absorbing(std::vector<int> labels) const
+  std::vector<int> after_absorbing(std::vector<int> labels,
+                                   const std::map<int, int>& images = {}) const
   {
-    absorb_strips(graph, labels);
+    absorb_strips(graph, labels, images);
     return labels;
   }
 };
@@ -116,6 +118,37 @@ BOOST_AUTO_TEST_CASE(a_strip_goes_to_its_neighbor)
   BOOST_TEST(points_of(after, 2).empty());
   for (std::size_t i = 0; i < before.size(); ++i)
     if (before[i] != 2) BOOST_REQUIRE(after[i] == before[i]);
+}
+
+BOOST_AUTO_TEST_CASE(the_mirror_image_of_a_strip_goes_with_it)
+{
+  const Square square;
+  const std::vector<int> labels = square.labels(
+      [](const double x, const double y)
+      {
+        if (is_within(x, 0.05, 0.45) && std::abs(y - 0.5) < 0.05) return 2;
+        if (std::hypot(x - 0.75, y - 0.5) < 0.12) return 5; // about as much, but no strip
+        return (y < 0.5 ? 0 : 1) + (x < 0.5 ? 0 : 3);
+      });
+  const std::vector<int> alone = square.after_absorbing(labels);
+  BOOST_TEST(points_of(alone, 2).empty());
+  BOOST_TEST(!points_of(alone, 5).empty());
+  const std::vector<int> together =
+      square.after_absorbing(labels, {{0, 3}, {1, 4}, {2, 5}, {3, 0}, {4, 1}, {5, 2}});
+  BOOST_TEST(points_of(together, 2).empty());
+  BOOST_TEST(points_of(together, 5).empty());
+  BOOST_TEST((points_of(together, 0) == points_of(labels, 0)) ==
+             (points_of(together, 3) == points_of(labels, 3))); // both above, or both below
+}
+
+BOOST_AUTO_TEST_CASE(a_strip_across_the_plane_stays_unless_it_is_a_sliver)
+{
+  const Square square;
+  const std::map<int, int> images = {{0, 1}, {1, 0}, {2, 2}};
+  const std::vector<int> wide = square.labels(strip_between_halves(0.05)),
+                         narrow = square.labels(strip_between_halves(0.02));
+  BOOST_TEST(square.after_absorbing(wide, images) == wide, boost::test_tools::per_element());
+  BOOST_TEST(points_of(square.after_absorbing(narrow, images), 2).empty());
 }
 
 BOOST_AUTO_TEST_CASE(what_is_as_wide_as_long_stays)

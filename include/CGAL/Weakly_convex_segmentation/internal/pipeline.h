@@ -145,7 +145,7 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
       consensus_of_number([&](const double share)
                           { return consensus_labels(votes, share, minimum_size, mirror.image); },
                           least, parameters);
-  absorb_strips(shape.graph, labels);
+  absorb_strips(shape.graph, labels, images_of_labels(labels, mirror.image));
   Torn_parts(shape.points().links, labels).join_small(minimum_size);
   Torn_parts(shape.points().links, labels).divide(first_unused(labels));
   return labels;

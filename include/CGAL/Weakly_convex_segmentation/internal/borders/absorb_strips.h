@@ -14,6 +14,7 @@
 // their outline alone. The paper has nothing like it.
 
 #include <CGAL/Weakly_convex_segmentation/internal/borders/seam_cuts.h>
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/clusters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
 
@@ -142,36 +143,61 @@ inline bool is_strip(const Outline& outline)
   return std::count_if(outline.with.begin(), outline.with.end(), is_neighbor) > 1;
 }
 
-/// gives strips, and what is all border, smallest first, to the neighbor that they have the costliest border with, if
-/// that is larger.
-///
-/// Complexity: O(n log n) in the number of points.
-inline void absorb_strips(const Neighbor_graph& graph, std::vector<int>& labels)
+/// The points of each segment, by its label.
+using Points_of_segments = std::map<int, std::vector<Index>>;
+
+/// returns the neighbor that a strip, or what is all border, has the costliest border with, if that is larger; -1 for
+/// other segments.
+inline int home_of_strip(const Neighbor_graph& graph, const std::vector<int>& labels,
+                         const Points_of_segments& segments, const int label)
 {
   constexpr double most_size = 0.3; // of the neighbor's
-  std::map<int, std::vector<Index>> segments;
+  const std::vector<Index>& points = segments.at(label);
+  const Outline outline = outline_of(graph, labels, points);
+  if (outline.with.empty()) return -1;
+  if (outline.has_inside && (!is_strip(outline) || Border_loops(graph, labels, points).count() > 1))
+    return -1;
+  const int home =
+      std::max_element(outline.with.begin(), outline.with.end(),
+                       [](const auto& a, const auto& b) { return a.second.cost < b.second.cost; })
+          ->first;
+  const auto others = static_cast<double>(segments.at(home).size());
+  return static_cast<double>(points.size()) > most_size * others ? -1 : home;
+}
+
+/// gives strips, and what is all border, smallest first, to the neighbor that they have the costliest border with, if
+/// that is larger; and likewise their mirror images, with the image of each label that has one.
+///
+/// Complexity: O(n log n) in the number of points.
+inline void absorb_strips(const Neighbor_graph& graph, std::vector<int>& labels,
+                          const std::map<int, int>& images = {})
+{
+  Points_of_segments segments;
   for (std::size_t i = 0; i < labels.size(); ++i)
     segments[labels[i]].push_back(static_cast<Index>(i));
   std::vector<std::pair<std::size_t, int>> by_size;
   for (const auto& [label, points] : segments) by_size.emplace_back(points.size(), label);
   std::sort(by_size.begin(), by_size.end());
-  for (const auto& size_and_label : by_size)
+  const auto join = [&](const int from, const int into)
   {
-    const std::vector<Index>& points = segments[size_and_label.second];
-    const Outline outline = outline_of(graph, labels, points);
-    if (outline.with.empty()) continue;
-    if (outline.has_inside &&
-        (!is_strip(outline) || Border_loops(graph, labels, points).count() > 1))
+    for (const Index i : segments[from]) labels[i] = into;
+    segments[into].insert(segments[into].end(), segments[from].begin(), segments[from].end());
+    segments[from].clear();
+  };
+  for (const auto& [size, label] : by_size)
+  {
+    const int home = segments[label].empty() ? -1 : home_of_strip(graph, labels, segments, label);
+    if (home < 0) continue;
+    const auto image = images.find(label), image_of_home = images.find(home);
+    const bool are_two = image != images.end() && image_of_home != images.end();
+    const bool is_across = are_two && image->second == label && image_of_home->second != home;
+    if (is_across &&
+        static_cast<double>(size) >= largest_sliver * static_cast<double>(segments[home].size()))
       continue;
-    const int into =
-        std::max_element(outline.with.begin(), outline.with.end(),
-                         [](const auto& a, const auto& b) { return a.second.cost < b.second.cost; })
-            ->first;
-    std::vector<Index>& others = segments[into];
-    if (static_cast<double>(points.size()) > most_size * static_cast<double>(others.size()))
-      continue;
-    for (const Index i : points) labels[i] = into;
-    others.insert(others.end(), points.begin(), points.end());
+    join(label, home);
+    if (are_two && image->second != home && image->second != image_of_home->second &&
+        !segments[image->second].empty() && !segments[image_of_home->second].empty())
+      join(image->second, image_of_home->second);
   }
 }
 

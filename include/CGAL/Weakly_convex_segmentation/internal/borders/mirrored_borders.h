@@ -30,31 +30,6 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
-/// returns the label that each label's mirror image has most in common with, as a share of both; for labels that are
-/// each other's.
-inline std::map<int, int> images_of_labels(const std::vector<int>& labels,
-                                           const std::vector<Index>& image)
-{
-  std::map<int, double> sizes;
-  std::map<std::pair<int, int>, double> common;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-  {
-    ++sizes[labels[i]];
-    if (image[i] == i) continue; // it has no counterpart, or is in the plane
-    ++common[{labels[i], labels[image[i]]}];
-  }
-  std::map<int, std::pair<double, int>> best;
-  for (const auto& [pair, count] : common)
-    best[pair.first] = (std::max)(
-        best[pair.first], {count / (sizes[pair.first] + sizes[pair.second] - count), pair.second});
-  std::map<int, int> result;
-  for (const auto& [label, match] : best)
-    if (const auto back = best.find(match.second);
-        back != best.end() && back->second.second == label)
-      result[label] = match.second;
-  return result;
-}
-
 /// The borders between labels on either side of a plane of reflection.
 class Borders_of_sides
 {

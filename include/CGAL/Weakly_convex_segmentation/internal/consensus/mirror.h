@@ -30,6 +30,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -266,6 +268,32 @@ inline Mirror find_mirror(const Oriented_points& points, const std::vector<float
   if (mirror.residual <= tolerance && mirror.agreeing >= least_agreeing)
     mirror.image = finder.images(mirror.plane, parallel);
   return mirror;
+}
+
+/// returns the label that each label's mirror image has most in common with, as a share of both; for labels that are
+/// each other's, if there is a mirror.
+inline std::map<int, int> images_of_labels(const std::vector<int>& labels,
+                                           const std::vector<Index>& image)
+{
+  if (image.empty()) return {};
+  std::map<int, double> sizes;
+  std::map<std::pair<int, int>, double> common;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    ++sizes[labels[i]];
+    if (image[i] == i) continue; // it has no counterpart, or is in the plane
+    ++common[{labels[i], labels[image[i]]}];
+  }
+  std::map<int, std::pair<double, int>> best;
+  for (const auto& [pair, count] : common)
+    best[pair.first] = (std::max)(
+        best[pair.first], {count / (sizes[pair.first] + sizes[pair.second] - count), pair.second});
+  std::map<int, int> result;
+  for (const auto& [label, match] : best)
+    if (const auto back = best.find(match.second);
+        back != best.end() && back->second.second == label)
+      result[label] = match.second;
+  return result;
 }
 
 } // namespace internal
