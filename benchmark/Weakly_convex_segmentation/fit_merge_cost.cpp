@@ -232,7 +232,7 @@ void score(const std::filesystem::path& data, const std::string& variant, const 
                        model,
                        WCS::internal::decide_segments(
                            *model.shape, parameters, {}, {},
-                           WCS::internal::mirror_of(*model.shape, parameters, {}), trees),
+                           WCS::internal::symmetries_of(*model.shape, parameters, {}), trees),
                        parameters);
                    scores.add(model, Patch_scores::rand_error_of_labels(model, labels), labels);
                  });

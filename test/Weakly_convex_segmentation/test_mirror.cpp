@@ -36,7 +36,7 @@ struct Found
 
   explicit Found(const Raw_shape& raw)
     : points(orient_points(raw, false, {}, true)), graph(build_neighbor_graph(points, 10, false)),
-      mirror(find_mirror(points, graph.spacing, tolerance, false))
+      mirror(find_mirror(Motion_judge(points, graph.spacing), tolerance, false))
   {}
 };
 
@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(planes_of_symmetric_shapes_are_found_however_they_lie)
   for (const char* name : {"figure", "airplane", "four_leg", "ant", "chair"})
   {
     const Found found(points_of_mesh(moved(Shape_generator::make_mesh(name, 8000))));
-    BOOST_TEST_CONTEXT(name << ": residual " << found.mirror.residual << ", "
-                            << found.mirror.agreeing << " agree")
+    BOOST_TEST_CONTEXT(name << ": residual " << found.mirror.fit.residual << ", "
+                            << found.mirror.fit.agreeing << " agree")
     {
       BOOST_REQUIRE(!found.mirror.image.empty());
       double off = 0.;

@@ -207,7 +207,8 @@ struct Merging_parameters
   double minimum_segment_share = 0.0078;
   /// What one side of a shape has, the other one gets: if there is a plane of reflection, from which the mirrored
   /// points are at most so far from the surface on average, relative to the extent, both sides are decided together;
-  /// `[0, 1]`, 0: never
+  /// and what comes several times about an axis, as the teeth of a gear, is cut off everywhere or nowhere, if turned
+  /// points are within a quarter of that. `[0, 1]`, 0: never
   double symmetry_tolerance = 0.008;
   /// Segments are joined until there are at most so many; 0: no limit; `[0, 1e9]`
   std::size_t maximum_number_of_segments = 0;

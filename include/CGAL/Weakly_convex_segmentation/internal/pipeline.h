@@ -21,6 +21,8 @@
 #include <CGAL/Weakly_convex_segmentation/internal/borders/straighten_borders.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/consensus.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/mirror.h>
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/turn.h>
+#include <CGAL/Weakly_convex_segmentation/internal/consensus/turned_parts.h>
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/votes.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Run_control.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/oracle_functions.h>
@@ -64,23 +66,29 @@ inline Votes votes_of_set(const Shape_analysis& shape, const Patch_set& set,
 inline Symmetry_plane in_input(const Mirror& mirror, const Placement& placement)
 {
   const Double3 &n = mirror.plane.normal, foot = mirror.plane.offset * n;
-  const auto single = [](const Double3& v) -> Vector3 {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-  };
-  return {placement.position(single(foot)), placement.direction(single(n)), mirror.residual};
+  return {placement.position(in_single(foot)), placement.direction(in_single(n)),
+          mirror.fit.residual};
 }
 
-/// returns the shape's plane of reflection and where it takes its points, if it has one.
-inline Mirror mirror_of(const Shape_analysis& shape, const Parameters& parameters,
-                        const Run_control& control)
+/// The motions that take a shape to itself, nearly.
+struct Symmetries
+{
+  Mirror mirror;
+  Turn turn;
+};
+
+/// returns the shape's plane of reflection and its smallest turn, if it has them.
+inline Symmetries symmetries_of(const Shape_analysis& shape, const Parameters& parameters,
+                                const Run_control& control)
 {
   if (parameters.symmetry_tolerance == 0. || shape.patch_sets.size() == 1) return {};
-  Mirror mirror = find_mirror(shape.points(), shape.graph.spacing, parameters.symmetry_tolerance,
-                              control.parallel);
+  const Motion_judge judge(shape.points(), shape.graph.spacing);
+  Symmetries found{find_mirror(judge, parameters.symmetry_tolerance, control.parallel),
+                   find_turn(judge, parameters.symmetry_tolerance, control.parallel)};
   control.check();
-  if (!mirror.image.empty() && control.visitor != nullptr)
-    control.visitor->symmetry_found(in_input(mirror, shape.input.placement));
-  return mirror;
+  if (!found.mirror.image.empty() && control.visitor != nullptr)
+    control.visitor->symmetry_found(in_input(found.mirror, shape.input.placement));
+  return found;
 }
 
 inline std::size_t number_of_labels(const std::vector<int>& labels)
@@ -91,6 +99,11 @@ inline std::size_t number_of_labels(const std::vector<int>& labels)
 inline int first_unused(const std::vector<int>& labels)
 {
   return 1 + *std::max_element(labels.begin(), labels.end());
+}
+
+inline bool is_number_asked(const Merging_parameters& parameters)
+{
+  return parameters.minimum_number_of_segments > 0 || parameters.maximum_number_of_segments > 0;
 }
 
 /// returns the labels at a share of the votes, or at one where their number is as it is asked for: the next larger
@@ -125,7 +138,7 @@ std::vector<int> consensus_of_number(const Labels_at& labels_at, double share,
 /// regions are refined first, else the consensus would have those of many patches; once is enough for that.
 inline std::vector<int> decide_segments(const Shape_analysis& shape, const Parameters& parameters,
                                         const Run_control& control, const Merge_cost& own_cost,
-                                        const Mirror& mirror,
+                                        const Symmetries& symmetries,
                                         const Boosted_trees& trees = learned_trees())
 {
   const std::size_t sets = shape.patch_sets.size();
@@ -141,13 +154,20 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   const double least = are_cuts ? least_share_of_cuts : 1. - parameters.merging_threshold;
   const double minimum_size =
       parameters.minimum_segment_share * static_cast<double>(shape.points().size());
-  std::vector<int> labels =
-      consensus_of_number([&](const double share)
-                          { return consensus_labels(votes, share, minimum_size, mirror.image); },
-                          least, parameters);
-  absorb_strips(shape.graph, labels, images_of_labels(labels, mirror.image));
-  Torn_parts(shape.points().links, labels).join_small(minimum_size);
-  Torn_parts(shape.points().links, labels).divide(first_unused(labels));
+  const std::vector<Index>& mirrored = symmetries.mirror.image;
+  std::vector<int> labels = consensus_of_number(
+      [&](const double share) { return consensus_labels(votes, share, minimum_size, mirrored); },
+      least, parameters);
+  absorb_strips(shape.graph, labels, images_of_labels(labels, mirrored));
+  const auto connect_parts = [&]
+  {
+    Torn_parts(shape.points().links, labels).join_small(minimum_size);
+    Torn_parts(shape.points().links, labels).divide(first_unused(labels));
+  };
+  connect_parts();
+  if (symmetries.turn.order == 1 || is_number_asked(parameters)) return labels;
+  decide_places_alike(symmetries.turn, labels);
+  connect_parts();
   return labels;
 }
 
@@ -216,12 +236,12 @@ inline Result segment_shape(Shape_analysis& shape, const Parameters& parameters,
   parameters.check();
   // a shape that was analyzed for other rules has no diameters yet
   sample_diameters(shape, parameters, control.parallel);
-  Mirror mirror;
+  Symmetries symmetries;
   std::vector<int> segments;
   const auto decide = [&]
   {
-    mirror = mirror_of(shape, parameters, control);
-    segments = decide_segments(shape, parameters, control, own_cost, mirror);
+    symmetries = symmetries_of(shape, parameters, control);
+    segments = decide_segments(shape, parameters, control, own_cost, symmetries);
     if (parameters.pieces == Piece_rule::WHOLE) join_pieces(shape.points().links, segments);
     return shape.patch_sets.size();
   };
@@ -231,6 +251,7 @@ inline Result segment_shape(Shape_analysis& shape, const Parameters& parameters,
   const std::vector<int> region = tree.labels_after(tree.number_of_accepted_merges());
   for (std::size_t i = 0; i < segments.size(); ++i)
     segments[i] = region[patches.patches.of_point[i]];
+  const Mirror& mirror = symmetries.mirror;
   Result result = finish_segmentation(
       shape, {std::move(patches.patches.of_point), std::move(segments)}, std::move(tree),
       parameters, control, parameters.minimum_number_of_segments > 0, mirror);
