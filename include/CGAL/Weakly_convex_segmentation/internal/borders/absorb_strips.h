@@ -14,7 +14,6 @@
 // their outline alone. The paper has nothing like it.
 
 #include <CGAL/Weakly_convex_segmentation/internal/borders/seam_cuts.h>
-#include <CGAL/Weakly_convex_segmentation/internal/consensus/clusters.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/disjoint_sets.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/neighbor_graph.h>
 
@@ -172,6 +171,7 @@ inline int home_of_strip(const Neighbor_graph& graph, const std::vector<int>& la
 inline void absorb_strips(const Neighbor_graph& graph, std::vector<int>& labels,
                           const std::map<int, int>& images = {})
 {
+  constexpr double most_across = 0.1; // of one of two sides; a bird's trunk has more of a wing
   Points_of_segments segments;
   for (std::size_t i = 0; i < labels.size(); ++i)
     segments[labels[i]].push_back(static_cast<Index>(i));
@@ -192,7 +192,7 @@ inline void absorb_strips(const Neighbor_graph& graph, std::vector<int>& labels,
     const bool are_two = image != images.end() && image_of_home != images.end();
     const bool is_across = are_two && image->second == label && image_of_home->second != home;
     if (is_across &&
-        static_cast<double>(size) >= largest_sliver * static_cast<double>(segments[home].size()))
+        static_cast<double>(size) >= most_across * static_cast<double>(segments[home].size()))
       continue;
     join(label, home);
     if (are_two && image->second != home && image->second != image_of_home->second &&

@@ -43,7 +43,8 @@ inline void merge_rows_and_columns(Eigen::MatrixXd& matrix, const int into, cons
 }
 
 /// Up to this share of the size of its neighbor a cluster across a plane of reflection may go to one of two sides.
-constexpr double largest_sliver = 0.1;
+/// With a tenth, scans of pliers and birds from two sides, with noise, had both sides in one part.
+constexpr double largest_sliver = 0.25;
 
 /// returns the cluster where most of the mirror images of a cluster's points lie, if it is about as large; else the
 /// cluster itself. `mirrored` has how many points of a row's cluster have them in a column's, or nothing.
