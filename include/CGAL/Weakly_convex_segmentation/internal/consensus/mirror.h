@@ -17,7 +17,6 @@
 // Gauss-Newton steps on their distances from the tangent planes.
 
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/motion_judge.h>
-#include <CGAL/Weakly_convex_segmentation/internal/kernel/Symmetric_matrix3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/oriented_points.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/pca_frame.h>

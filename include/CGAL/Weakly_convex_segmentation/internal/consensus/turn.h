@@ -13,7 +13,6 @@
 // point. Axes are those of the principal axes about which the shape spreads evenly. The paper has nothing like it.
 
 #include <CGAL/Weakly_convex_segmentation/internal/consensus/motion_judge.h>
-#include <CGAL/Weakly_convex_segmentation/internal/kernel/Symmetric_matrix3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/kernel/Vector3.h>
 #include <CGAL/Weakly_convex_segmentation/internal/points/pca_frame.h>
 

@@ -131,7 +131,6 @@ private:
 /// Complexity: linear in the number of points and in the order of the turn, besides sorting.
 inline void decide_places_alike(const Turn& turn, std::vector<int>& labels)
 {
-  if (turn.order == 1) return;
   Turned_parts parts(turn, labels);
   parts.take_what_most_have();
   parts.cut_what_half_have();
