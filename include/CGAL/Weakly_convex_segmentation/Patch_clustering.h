@@ -38,8 +38,9 @@ public:
 
   /// returns a function that gives each node its cluster for a seed.
   ///
-  /// Complexity: O((e + n d) d) for each of about 12 restarts of the solver, 20 at most, for e edges, n nodes
-  /// and d dimensions, O(n^3) where n is at most 2 d + 10; for each seed O(c n log n + e d) with c clusters.
+  /// Complexity: O(n^1.5) to factor the matrix of n nodes on a surface, and O(n d^2) for each of about 4 restarts of the
+  /// solver, 20 at most, with d dimensions; O(n^3) where n is at most 1.5 d + 10. For each seed O(c n log n + e d) with c
+  /// clusters and e edges.
   auto operator()(const Convexity_graph& graph, const std::size_t number_of_clusters) const
   {
     const internal::Graph_matrix adjacency = internal::normalized_adjacency(graph);
