@@ -147,7 +147,9 @@ std::vector<std::pair<int, int>> adjacent_pairs(const Region_graph& graph)
 
 BOOST_AUTO_TEST_CASE(statistics_add_up_under_merging)
 {
-  Shape shape("hand", Parameters());
+  Parameters parameters;
+  parameters.merging = Merging_rule::PAPER; // all pairs of patches are looked at
+  Shape shape("hand", parameters);
   Region_graph graph = shape.regions();
   std::mt19937 random(3);
   while (graph.number_of_regions() > 4)
@@ -169,6 +171,45 @@ BOOST_AUTO_TEST_CASE(statistics_add_up_under_merging)
   double total = 0.;
   for (const Region& region : graph.regions()) total += region.size;
   BOOST_CHECK_EQUAL(total, static_cast<double>(shape.points.size()));
+}
+
+BOOST_AUTO_TEST_CASE(few_pairs_of_patches_tell_how_well_large_regions_see_each_other)
+{
+  for (const std::string name : {"hand", "chair", "dumbbell"})
+  {
+    Parameters all;
+    all.merging = Merging_rule::PAPER;
+    Shape shape(name, all);
+    Region_graph exact = shape.regions();
+    shape.parameters.merging = Merging_rule::FITTED;
+    Region_graph sampled = shape.regions();
+    std::mt19937 random(5);
+    double error = 0., blind_error = 0., large_pairs = 0.;
+    while (exact.number_of_regions() > 4)
+    {
+      const auto pairs = adjacent_pairs(exact);
+      const auto [a, b] = pairs[random() % pairs.size()];
+      for (Region_graph* graph : {&exact, &sampled}) graph->merge(a, b);
+      if (exact.number_of_regions() % 16 != 4) continue;
+      Region_graph asked = sampled; // nothing is known of it yet
+      for (const auto& [c, d] : adjacent_pairs(asked))
+      {
+        const double difference = asked.visibility(c, d) - exact.visibility(c, d);
+        if (exact.region(c).patches.size() * exact.region(d).patches.size() <= 24)
+        {
+          BOOST_CHECK_SMALL(difference, 1e-9);
+          continue;
+        }
+        BOOST_CHECK_SMALL(difference, 0.3);
+        error += std::abs(difference);
+        blind_error += std::abs(asked.blind_share(c, d) - exact.blind_share(c, d));
+        large_pairs += 1.;
+      }
+    }
+    BOOST_REQUIRE_GT(large_pairs, 5.);
+    BOOST_CHECK_LT(error / large_pairs, 0.08);
+    BOOST_CHECK_LT(blind_error / large_pairs, 0.08);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(contraction_merges_the_cheapest_pair_each_time)

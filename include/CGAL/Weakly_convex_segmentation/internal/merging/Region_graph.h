@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -135,6 +136,8 @@ public:
 
 private:
   Seam& measured_seam(int a, int b);
+  /// returns pairs of patches of two regions that stand for all of them.
+  std::vector<std::pair<int, int>> pairs_of_patches(int a, int b) const;
   /// visibility over the pairs of patches of `a` and `b`, whether they are adjacent or not
   Seam measure_visibility(int a, int b);
 
@@ -146,6 +149,7 @@ private:
   Disjoint_sets<int> m_sets;   // of patches, by the names of the regions
   std::size_t m_count = 0;
   double m_total = 0.;
+  std::size_t m_most_pairs; // of patches, that are looked at for two regions
   bool m_has_profiles = false;
 };
 
@@ -154,7 +158,10 @@ inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_
                                   const Merging_parameters& parameters, std::vector<int> piece_of)
   : m_regions(patches.size()), m_seams(patches.size()), m_visibility(visibility),
     m_piece_of(std::move(piece_of)), m_sets(patches.size()), m_count(patches.size()),
-    m_total(static_cast<double>(points.size()))
+    m_total(static_cast<double>(points.size())),
+    // a fusion of the paper asks that every pair see each other; means need no more than a sample
+    m_most_pairs(
+        parameters.merging == Merging_rule::PAPER ? (std::numeric_limits<std::size_t>::max)() : 24)
 {
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
@@ -222,24 +229,39 @@ inline void Region_graph::add_profiles(const Oriented_points& points, const Neig
     }
 }
 
+inline std::vector<std::pair<int, int>> Region_graph::pairs_of_patches(const int a,
+                                                                       const int b) const
+{
+  const std::vector<int>&from = m_regions[a].patches, &to = m_regions[b].patches;
+  const std::size_t all = from.size() * to.size(), stride = coprime_stride(all);
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0, at = 0; i < (std::min)(all, m_most_pairs); ++i, at = (at + stride) % all)
+    pairs.push_back({from[at % from.size()], to[at / from.size()]});
+  return pairs;
+}
+
 inline Seam Region_graph::measure_visibility(const int a, const int b)
 {
   const auto name = [this](const int p) { return m_piece_of.empty() ? p : m_piece_of[p]; };
-  std::vector<std::pair<int, int>> pairs;
-  for (const int p : m_regions[a].patches)
-    for (const int q : m_regions[b].patches)
-      if (name(p) != name(q)) pairs.push_back({name(p), name(q)});
-  m_visibility.prepare(pairs);
+  const std::vector<std::pair<int, int>> pairs = pairs_of_patches(a, b);
+  std::vector<std::pair<int, int>> seen;
+  for (const auto& [p, q] : pairs)
+    if (name(p) != name(q)) seen.push_back({name(p), name(q)});
+  m_visibility.prepare(seen);
   Seam result;
-  for (const int p : m_regions[a].patches)
-    for (const int q : m_regions[b].patches)
-    {
-      const double v = name(p) != name(q) ? m_visibility(name(p), name(q)) : 1.;
-      const double weight = m_patch_sizes[p] * m_patch_sizes[q];
-      result.visibility_sum += v * weight;
-      if (v < 0.3) result.visibility_low += weight;
-      result.visibility_least = (std::min)(result.visibility_least, v);
-    }
+  double measured = 0.;
+  for (const auto& [p, q] : pairs)
+  {
+    const double v = name(p) != name(q) ? m_visibility(name(p), name(q)) : 1.;
+    const double weight = m_patch_sizes[p] * m_patch_sizes[q];
+    measured += weight;
+    result.visibility_sum += v * weight;
+    if (v < 0.3) result.visibility_low += weight;
+    result.visibility_least = (std::min)(result.visibility_least, v);
+  }
+  const double scale = m_regions[a].size * m_regions[b].size / measured;
+  result.visibility_sum *= scale;
+  result.visibility_low *= scale;
   return result;
 }
 

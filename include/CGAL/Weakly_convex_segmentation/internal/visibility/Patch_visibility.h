@@ -28,6 +28,14 @@ namespace CGAL {
 namespace Weakly_convex_segmentation {
 namespace internal {
 
+/// returns a stride that visits each of `count` numbers once, the first few of them spread over all.
+inline std::size_t coprime_stride(const std::size_t count)
+{
+  std::size_t stride = count * 5 / 8 + 1;
+  while (std::gcd(stride, count) != 1) ++stride;
+  return stride;
+}
+
 /// Ratio of unoccluded rays between each pair of patches, computed when first asked for and kept.
 class Patch_visibility
 {
@@ -82,8 +90,7 @@ private:
   {
     const std::vector<Index>&from = m_samples[a], &to = m_samples[b];
     const std::size_t rays = from.size() * to.size();
-    std::size_t stride = rays * 5 / 8 + 1;
-    while (std::gcd(stride, rays) != 1) ++stride;
+    const std::size_t stride = coprime_stride(rays);
     constexpr std::size_t early = 2; // rays that decide a pair if they agree
     std::size_t free = 0, ray = 0;
     Line_of_sight_query::Hint occluder = {}; // it often hides the next points too
