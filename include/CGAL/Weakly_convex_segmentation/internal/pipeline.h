@@ -134,8 +134,8 @@ std::vector<int> consensus_of_number(const Labels_at& labels_at, double share,
   return labels;
 }
 
-/// returns the segment of each representative: what the sets of patches agree on. The borders of each set's
-/// regions are refined first, else the consensus would have those of many patches; once is enough for that.
+/// returns the segment of each representative: what the sets of patches agree on. Its borders are those of many
+/// patches, and are refined before strips are looked for; once is enough for that.
 inline std::vector<int> decide_segments(const Shape_analysis& shape, const Parameters& parameters,
                                         const Run_control& control, const Merge_cost& own_cost,
                                         const Symmetries& symmetries,
@@ -144,10 +144,7 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   const std::size_t sets = shape.patch_sets.size();
   std::vector<Votes> votes(sets);
   const auto decide = [&](const std::size_t s)
-  {
-    votes[s] = votes_of_set(shape, shape.patch_sets[s], parameters, control, own_cost, trees);
-    if (sets > 1) refine_borders(shape.graph, parameters, votes[s].labels, control.parallel, 1);
-  };
+  { votes[s] = votes_of_set(shape, shape.patch_sets[s], parameters, control, own_cost, trees); };
   parallel_for(sets, control.parallel, decide, 1);
   const bool are_cuts = votes.front().together.empty();
   if (sets == 1 && are_cuts) return std::move(votes.front().labels);
@@ -158,6 +155,7 @@ inline std::vector<int> decide_segments(const Shape_analysis& shape, const Param
   std::vector<int> labels = consensus_of_number(
       [&](const double share) { return consensus_labels(votes, share, minimum_size, mirrored); },
       least, parameters);
+  if (sets > 1) refine_borders(shape.graph, parameters, labels, control.parallel, 1);
   absorb_strips(shape.graph, labels, images_of_labels(labels, mirrored));
   const auto connect_parts = [&]
   {
