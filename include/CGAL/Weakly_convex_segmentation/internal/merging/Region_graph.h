@@ -45,7 +45,7 @@ struct Region
 };
 
 /// The border between two adjacent regions: counts of the neighbor edges across it (the seam sets of
-/// section 5) and the visibility over all pairs of patches across it.
+/// section 5) and the visibility of the pairs of patches across it, of a sample where there are many.
 struct Seam
 {
   double edges = 0.;
@@ -103,13 +103,13 @@ public:
   const std::map<int, Seam>& seams(const int r) const { return m_seams[r]; }
   const Seam& seam(const int a, const int b) const { return m_seams[a].at(b); }
 
-  /// returns the visibility over all pairs of patches of two adjacent regions, weighted by the
-  /// patches' sizes, in [0, 1].
+  /// returns the mean visibility of the pairs of patches of two adjacent regions, weighted by the patches'
+  /// sizes, in [0, 1]: of all pairs with `Merging_rule::PAPER`, else of a sample where there are many.
   double visibility(const int a, const int b)
   {
     return measured_seam(a, b).visibility_sum / (m_regions[a].size * m_regions[b].size);
   }
-  /// returns the least visibility of a pair of patches of two adjacent regions, in [0, 1].
+  /// returns the least visibility of these pairs, in [0, 1].
   double least_visibility(const int a, const int b) { return measured_seam(a, b).visibility_least; }
 
   /// returns the weight share of the pairs of patches that hardly see each other, in [0, 1].
@@ -159,7 +159,7 @@ inline Region_graph::Region_graph(const Oriented_points& points, const Neighbor_
   : m_regions(patches.size()), m_seams(patches.size()), m_visibility(visibility),
     m_piece_of(std::move(piece_of)), m_sets(patches.size()), m_count(patches.size()),
     m_total(static_cast<double>(points.size())),
-    // a fusion of the paper asks that every pair see each other; means need no more than a sample
+    // a fusion of the paper asks that every pair see each other; for means, 24 or 64 are as good as all (1 - RI)
     m_most_pairs(
         parameters.merging == Merging_rule::PAPER ? (std::numeric_limits<std::size_t>::max)() : 24)
 {
